@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file  truckride/spec.h
+ * @brief Describe a vehicle: bodies, links, road inputs, force ports, sensors.
+ *
+ * A spec is a mutable description in the user's words. trk_model_compile() turns
+ * it into equations; nothing is derived by hand. Everything has a name, unique
+ * among parts of its kind, and an id counted from 1 in order of adding.
+ *
+ * Points are given in the vehicle's axes in its drawn position [m]. Rotations are
+ * small: a point p of a body with centre of gravity cg moves by
+ *
+ *     u(p) = u_cg + theta x (p - cg)                                  (SPEC.1)
+ *
+ * A link has the elongation and the force
+ *
+ *     e = d . (u_to - u_from)                                         (SPEC.2)
+ *     f = k e + c e' + a_s s(e + e_0) + a_d g(e')                     (SPEC.3)
+ *
+ * with direction d, stiffness k, damping c, spring curve s, damper curve g and
+ * their scales; f > 0 pulls the two ends together. u_from is zero on the ground
+ * and (0, 0, u) on a road input of height u.
+ */
+#ifndef TRUCKRIDE_SPEC_H
+#define TRUCKRIDE_SPEC_H
+
+#include <truckride/curve.h>
+
+typedef struct trk_spec trk_spec;
+
+/** Kinds of named parts. */
+typedef int32_t trk_part;
+enum {
+    TRK_PART_BODY       = 1, /**< rigid body                                     */
+    TRK_PART_LINK       = 2, /**< spring and damper between two points           */
+    TRK_PART_ROAD       = 3, /**< road input, a height u(t) under a tire         */
+    TRK_PART_PORT       = 4, /**< point and direction where a load p(t) acts     */
+    TRK_PART_SENSOR     = 5, /**< what a run records                             */
+    TRK_PART_MASS       = 6, /**< point mass fixed to a body                     */
+    TRK_PART_COORDINATE = 7  /**< coordinate of a compiled model, "cab.pitch"    */
+};
+
+/** Coordinates that a body may own; the others are fixed. Add them up. */
+enum {
+    TRK_FREE_X     = 1,  /**< forward */
+    TRK_FREE_Y     = 2,  /**< left    */
+    TRK_FREE_Z     = 4,  /**< up      */
+    TRK_FREE_ROLL  = 8,  /**< about x */
+    TRK_FREE_PITCH = 16, /**< about y, nose down positive */
+    TRK_FREE_YAW   = 32  /**< about z */
+};
+
+/** Translation of a point along a direction, or rotation of a body about it. */
+typedef int32_t trk_motion;
+enum { TRK_MOTION_TRANSLATION = 0, TRK_MOTION_ROTATION = 1 };
+
+/** Options of trk_spec_add_body(). */
+typedef struct trk_body_options {
+    size_t  struct_size;   /**< [byte] set by trk_body_options_init()                        */
+    int32_t freedoms;      /**< [-] sum of TRK_FREE_...; default TRK_FREE_Z                  */
+    double  mass;          /**< [kg] >= 0, > 0 if a translation is free; default 0           */
+    double  inertia[3];    /**< [kg m^2] about x, y, z through cg, >= 0, > 0 if free; default 0 */
+    double  cg[3];         /**< [m] centre of gravity in the drawn position; default 0       */
+} trk_body_options;
+
+/** Options of trk_spec_add_link(). */
+typedef struct trk_link_options {
+    size_t           struct_size;   /**< [byte] set by trk_link_options_init()               */
+    trk_motion       motion;        /**< [-] rotation makes an anti-roll bar; default translation */
+    int32_t          from_body;     /**< [-] body id; 0 (default): ground, or from_road       */
+    int32_t          from_road;     /**< [-] road id, with from_body 0; default 0: none       */
+    int32_t          to_body;       /**< [-] body id; 0 is the ground                         */
+    double           from_point[3]; /**< [m] not used on ground and road; default 0           */
+    double           to_point[3];   /**< [m] default 0                                        */
+    double           direction[3];  /**< [-] any length > 0; default (0, 0, 1)                */
+    double           stiffness;     /**< [N/m or N m/rad] k; may be negative; default 0       */
+    double           damping;       /**< [N s/m or N m s/rad] c >= 0; default 0               */
+    const trk_curve *spring_curve;  /**< [N over m, or N m over rad] s, copied; default NULL  */
+    const trk_curve *damper_curve;  /**< [N over m/s, or N m over rad/s] g, copied; default NULL */
+    double           spring_scale;  /**< [-] a_s >= 0; default 1                              */
+    double           damper_scale;  /**< [-] a_d >= 0; default 1                              */
+    double           spring_offset; /**< [m or rad] e_0, place on the curve at e = 0; default 0 */
+} trk_link_options;
+
+/** What a sensor measures. */
+typedef int32_t trk_quantity;
+enum {
+    TRK_QUANTITY_DISPLACEMENT = 0, /**< [m or rad] of a body point or body rotation */
+    TRK_QUANTITY_VELOCITY     = 1, /**< [m/s or rad/s]                              */
+    TRK_QUANTITY_ACCELERATION = 2, /**< [m/s^2 or rad/s^2]                          */
+    TRK_QUANTITY_ELONGATION   = 3, /**< [m or rad] e of a link                      */
+    TRK_QUANTITY_RATE         = 4, /**< [m/s or rad/s] e' of a link                 */
+    TRK_QUANTITY_FORCE        = 5  /**< [N or N m] f of a link                      */
+};
+
+/** Options of trk_spec_add_sensor(). */
+typedef struct trk_sensor_options {
+    size_t       struct_size;  /**< [byte] set by trk_sensor_options_init()                  */
+    trk_quantity quantity;     /**< [-] default TRK_QUANTITY_ACCELERATION                    */
+    int32_t      body;         /**< [-] body id, for the first three quantities; default 0   */
+    int32_t      link;         /**< [-] link id, for the last three; default 0               */
+    trk_motion   motion;       /**< [-] of the body; default translation                     */
+    double       point[3];     /**< [m] point of the body; default 0                         */
+    double       direction[3]; /**< [-] any length > 0; default (0, 0, 1)                    */
+} trk_sensor_options;
+
+/** Options of trk_spec_add_port(). */
+typedef struct trk_port_options {
+    size_t     struct_size;  /**< [byte] set by trk_port_options_init()                      */
+    int32_t    body;         /**< [-] body id the load acts on                               */
+    trk_motion motion;       /**< [-] force or, with rotation, moment; default translation   */
+    double     point[3];     /**< [m] point of the body; default 0                           */
+    double     direction[3]; /**< [-] positive load acts this way, any length > 0; default (0, 0, 1) */
+} trk_port_options;
+
+/** Set every field to its default. Call as trk_X_options_init(&o, sizeof o). */
+TRK_API void trk_body_options_init(trk_body_options *options, size_t struct_size);
+TRK_API void trk_link_options_init(trk_link_options *options, size_t struct_size);
+TRK_API void trk_sensor_options_init(trk_sensor_options *options, size_t struct_size);
+TRK_API void trk_port_options_init(trk_port_options *options, size_t struct_size);
+
+/**
+ * Create an empty spec.
+ *
+ * @param name     how messages call the vehicle; copied
+ * @param out_spec owned by caller; NULL on failure
+ * @retval TRK_E_ARGUMENT a pointer is NULL
+ * @retval TRK_E_MEMORY   no memory
+ */
+TRK_API trk_status trk_spec_create(trk_context *context, const char *name,
+                                   trk_spec **out_spec) TRK_MUST_CHECK;
+
+/** Copy a spec into a context (which may be another one). Errors as trk_spec_create(). */
+TRK_API trk_status trk_spec_copy(trk_context *context, const trk_spec *spec,
+                                 trk_spec **out_spec) TRK_MUST_CHECK;
+
+/** Free a spec. NULL is allowed. */
+TRK_API void trk_spec_destroy(trk_spec *spec);
+
+/** Name of the vehicle; owned by the spec. */
+TRK_API const char *trk_spec_name(const trk_spec *spec);
+
+/**
+ * Add a rigid body.
+ *
+ * @param name     not empty, at most 127 characters, not used by another body; copied
+ * @param options  copied
+ * @param out_body receives the id; NULL to skip
+ * @retval TRK_E_ARGUMENT a pointer is NULL, or freedoms has an unknown bit or is 0
+ * @retval TRK_E_OPTIONS  options come from a newer header and set an unknown field
+ * @retval TRK_E_RANGE    a value is not finite or negative
+ * @retval TRK_E_NAME     the name is empty, too long or taken
+ * @retval TRK_E_MEMORY   no memory
+ */
+TRK_API trk_status trk_spec_add_body(trk_spec *spec, const char *name,
+                                     const trk_body_options *options,
+                                     int32_t *out_body) TRK_MUST_CHECK;
+
+/**
+ * Fix a point mass to a body: an engine, a fuel tank. It adds inertia about the
+ * body's coordinates and, under gravity, weight.
+ *
+ * @param body     id of the body
+ * @param mass     [kg] > 0
+ * @param point    [m] length 3
+ * @param out_mass receives the id; NULL to skip
+ * Errors as trk_spec_add_body().
+ */
+TRK_API trk_status trk_spec_add_mass(trk_spec *spec, const char *name, int32_t body, double mass,
+                                     const double *point, int32_t *out_mass) TRK_MUST_CHECK;
+
+/**
+ * Add a road input: a height u(t) [m] and its rate, imposed from outside.
+ *
+ * @param x        [m] place along the vehicle, used for the delay between axles
+ * @param y        [m] place across the vehicle, > 0 on the left
+ * @param out_road receives the id; NULL to skip
+ * Errors as trk_spec_add_body().
+ */
+TRK_API trk_status trk_spec_add_road(trk_spec *spec, const char *name, double x, double y,
+                                     int32_t *out_road) TRK_MUST_CHECK;
+
+/**
+ * Add a link.
+ *
+ * @retval TRK_E_ARGUMENT an id does not exist, both ends are the same or fixed, or a
+ *                        torsional link ends on a road
+ * @retval TRK_E_RANGE    a value is not finite or out of its range, or the direction is zero
+ * Further arguments and errors as trk_spec_add_body().
+ */
+TRK_API trk_status trk_spec_add_link(trk_spec *spec, const char *name,
+                                     const trk_link_options *options,
+                                     int32_t *out_link) TRK_MUST_CHECK;
+
+/** Add a force port. Arguments and errors as trk_spec_add_link(). */
+TRK_API trk_status trk_spec_add_port(trk_spec *spec, const char *name,
+                                     const trk_port_options *options,
+                                     int32_t *out_port) TRK_MUST_CHECK;
+
+/** Add a sensor. Arguments and errors as trk_spec_add_link(). */
+TRK_API trk_status trk_spec_add_sensor(trk_spec *spec, const char *name,
+                                       const trk_sensor_options *options,
+                                       int32_t *out_sensor) TRK_MUST_CHECK;
+
+/**
+ * Read a part back into a struct whose struct_size is set (by its init function).
+ * Curves in it are owned by the spec until the part is changed.
+ * @retval TRK_E_ARGUMENT a pointer is NULL or the id does not exist
+ * @retval TRK_E_OPTIONS  struct_size is not set
+ */
+TRK_API trk_status trk_spec_get_body(const trk_spec *spec, int32_t body,
+                                     trk_body_options *out_options) TRK_MUST_CHECK;
+TRK_API trk_status trk_spec_get_link(const trk_spec *spec, int32_t link,
+                                     trk_link_options *out_options) TRK_MUST_CHECK;
+TRK_API trk_status trk_spec_get_sensor(const trk_spec *spec, int32_t sensor,
+                                       trk_sensor_options *out_options) TRK_MUST_CHECK;
+TRK_API trk_status trk_spec_get_port(const trk_spec *spec, int32_t port,
+                                     trk_port_options *out_options) TRK_MUST_CHECK;
+
+/**
+ * Read a road input back.
+ * @param out_x [m] NULL to skip
+ * @param out_y [m] NULL to skip
+ * @retval TRK_E_ARGUMENT spec is NULL or the id does not exist
+ */
+TRK_API trk_status trk_spec_get_road(const trk_spec *spec, int32_t road, double *out_x,
+                                     double *out_y) TRK_MUST_CHECK;
+
+/**
+ * Read a point mass back.
+ * @param out_body  NULL to skip
+ * @param out_mass  [kg] NULL to skip
+ * @param out_point [m] length 3; NULL to skip
+ * @retval TRK_E_ARGUMENT spec is NULL or the id does not exist
+ */
+TRK_API trk_status trk_spec_get_mass(const trk_spec *spec, int32_t mass, int32_t *out_body,
+                                     double *out_mass, double *out_point) TRK_MUST_CHECK;
+
+/** Replace the options of a part; on failure it stays as it was. Errors as the add functions. */
+TRK_API trk_status trk_spec_set_body(trk_spec *spec, int32_t body,
+                                     const trk_body_options *options) TRK_MUST_CHECK;
+TRK_API trk_status trk_spec_set_link(trk_spec *spec, int32_t link,
+                                     const trk_link_options *options) TRK_MUST_CHECK;
+
+/** Number of parts of a kind; 0 for an unknown kind. */
+TRK_API int32_t trk_spec_count(const trk_spec *spec, trk_part part);
+
+/** Id of the part with that name, 0 if there is none. */
+TRK_API int32_t trk_spec_find(const trk_spec *spec, trk_part part, const char *name);
+
+/** Name of a part, NULL if there is none; owned by the spec. */
+TRK_API const char *trk_spec_part_name(const trk_spec *spec, trk_part part, int32_t id);
+
+#endif
