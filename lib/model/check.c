@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/* Is the model complete? Every coordinate has inertia and is held, every body is tied down. */
+#include "model/model.h"
+
+#include "spec/spec.h"
+#include "system/assembly.h"
+
+#include <math.h>
+
+/* Can the link ever carry a force? */
+static bool carries(const trk_link_options *link)
+{
+    return link->stiffness != 0 || link->damping != 0 ||
+           (link->spring_curve && link->spring_scale != 0) ||
+           (link->damper_curve && link->damper_scale != 0);
+}
+
+/* Root of a union-find tree, shortening the way. */
+static int32_t root_of(int32_t *parent, int32_t k)
+{
+    while (parent[k] != k)
+        k = parent[k] = parent[parent[k]];
+    return k;
+}
+
+/* Are all bodies connected to ground or road (node 0)? */
+static trk_status check_bodies(const trk_model *model, const trk_spec *spec)
+{
+    int32_t bodies = trk_spec_count(spec, TRK_PART_BODY);
+    int32_t *parent = trk_new(model->context, (int64_t)bodies + 1, sizeof *parent);
+    if (!parent)
+        return TRK_E_MEMORY;
+    for (int32_t b = 0; b <= bodies; b++)
+        parent[b] = b;
+    for (int32_t k = 0; k < trk_spec_count(spec, TRK_PART_LINK); k++)
+        if (carries(&spec->links[k]))
+            parent[root_of(parent, spec->links[k].from_body)] = root_of(parent, spec->links[k].to_body);
+    trk_status status = TRK_OK;
+    for (int32_t b = 1; status == TRK_OK && b <= bodies; b++)
+        if (root_of(parent, b) != root_of(parent, 0))
+            status = trk_fail(model->context, TRK_E_MODEL,
+                              "body '%s' is not supported: no chain of links ties it to the ground or a road",
+                              trk_spec_part_name(spec, TRK_PART_BODY, b));
+    trk_free(model->context, parent);
+    return status;
+}
+
+/* Does some link act along every coordinate? */
+static trk_status check_coordinates(const trk_model *model, const trk_spec *spec)
+{
+    bool *held = trk_new(model->context, model->n, sizeof *held);
+    if (!held)
+        return TRK_E_MEMORY;
+    for (int32_t k = 0; k < model->links.count; k++)
+        for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++)
+            held[model->links.column[j]] |= carries(&spec->links[k]);
+    trk_status status = TRK_OK;
+    for (int32_t i = 0; status == TRK_OK && i < model->n; i++)
+        if (!held[i])
+            status = trk_fail(model->context, TRK_E_MODEL,
+                              "coordinate '%s' is not supported: no link acts along it",
+                              trk_names_text(&model->names[TRK_PART_COORDINATE], i + 1));
+    trk_free(model->context, held);
+    return status;
+}
+
+trk_status trk_model_check_ties(const trk_model *model, const trk_spec *spec)
+{
+    trk_status status = check_bodies(model, spec);
+    return status == TRK_OK ? check_coordinates(model, spec) : status;
+}
+
+trk_status trk_model_check_mass(const trk_model *model)
+{
+    const trk_rows no_links = {0};
+    trk_assembly assembly;
+    trk_status status = trk_assembly_create(model->context, TRK_BACKEND_AUTO, model->n,
+                                            &model->inertia, model->mass, &no_links, &assembly);
+    if (status != TRK_OK)
+        return status;
+    int32_t bad = 0;
+    status = trk_assembly_factorize(&assembly, 1, NULL, &bad);
+    trk_assembly_clear(&assembly);
+    if (status == TRK_E_SINGULAR)
+        return trk_fail(model->context, TRK_E_MODEL, "coordinate '%s' has no %s",
+                        trk_names_text(&model->names[TRK_PART_COORDINATE], bad + 1),
+                        model->is_rotation[bad] ? "moment of inertia" : "mass");
+    return status;
+}
+
+int32_t trk_model_blame(const trk_model *model, const double *s, int32_t coordinate)
+{
+    int32_t worst = -1;
+    double most = 0, most_here = 0;
+    for (int32_t k = 0; k < model->links.count; k++) {
+        if (s[k] >= 0)
+            continue;
+        double here = 0;
+        for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++)
+            if (model->links.column[j] == coordinate)
+                here = s[k] * model->links.value[j] * model->links.value[j];
+        if (here < most_here || (most_here == 0 && s[k] < most)) {
+            worst = k;
+            most = s[k];
+            most_here = here;
+        }
+    }
+    return worst;
+}
+
+trk_status trk_model_fail_singular(trk_context *context, const trk_model *model, const char *what,
+                                   const double *s, int32_t coordinate)
+{
+    const char *at = trk_names_text(&model->names[TRK_PART_COORDINATE], coordinate + 1);
+    int32_t link = trk_model_blame(model, s, coordinate);
+    if (link < 0)
+        return trk_fail(context, TRK_E_SINGULAR,
+                        "the %s is not positive definite: nothing holds coordinate '%s'", what, at);
+    return trk_fail(context, TRK_E_SINGULAR,
+                    "the %s is not positive definite at coordinate '%s': link '%s' adds %g, a negative value",
+                    what, at, trk_names_text(&model->names[TRK_PART_LINK], link + 1), s[link]);
+}
