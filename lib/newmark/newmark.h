@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* Inside of a stepper. */
+#ifndef TRK_NEWMARK_NEWMARK_H
+#define TRK_NEWMARK_NEWMARK_H
+
+#include "model/model.h"
+#include "system/assembly.h"
+#include <truckride/newmark.h>
+
+/* Everything that a step replaces; two of them take turns. */
+typedef struct trk_state {
+    double *q, *v, *a;        /* length n                                             */
+    double *height, *velocity;/* road at this time, length roads                      */
+    double *force;            /* g of the non-linear links, length p                  */
+    double *rest;             /* r(q, v, t) of (NEWMARK.1), length n; only if alpha_f */
+} trk_state;
+
+struct trk_newmark {
+    trk_context *context;
+    const trk_model *model;
+    trk_newmark_options options;
+    double start;             /* [s] time = start + taken * step                      */
+    int64_t taken;            /* steps since the state was set                        */
+    trk_state now, next;
+    trk_assembly assembly;    /* holds the factors of S0 of (NEWMARK.4)               */
+    double *block;            /* memory of all arrays of doubles here                 */
+    double *load_row;         /* P p + w, length n                                    */
+    double *residual;         /* length n                                             */
+    int32_t p;                /* non-linear links                                     */
+    int32_t *nonlinear_index; /* by link: place among the non-linear ones or -1       */
+    trk_law_hint *hints;      /* p                                                    */
+    double *influence;        /* Z = B_p S0^-1, p x n (NEWMARK.5)                     */
+    double *coupling;         /* D = B_p S0^-1 B_p^T, p x p                           */
+    double *e_free, *v_free;  /* state of those links were g zero, p                  */
+    double *past1, *past2;    /* g one and two steps ago, p                           */
+    double *trial, *mismatch; /* Newton on g, p                                       */
+    double *slope;            /* t of (NEWMARK.7), p                                  */
+    double *jacobian;         /* p x p                                                */
+    trk_newmark_statistics statistics;
+};
+
+/*
+ * Newton on the forces of the non-linear links (NEWMARK.6), from the start in
+ * next.force. force_scale is the largest linear link force. On success next.force
+ * is the answer. TRK_E_CONVERGENCE: the message is recorded.
+ */
+trk_status trk_newmark_solve_forces(trk_newmark *stepper, double force_scale);
+
+/* Factor S0 = (1 - alpha_m) M + (1 - alpha_f) (gamma h C0 + beta h^2 K0) (NEWMARK.4). */
+trk_status trk_newmark_factorize(trk_newmark *stepper);
+
+/* Copy road and load if they are finite, loads into load_row as P p + w; else name the entry. */
+trk_status trk_newmark_take_inputs(trk_newmark *stepper, const double *height,
+                                   const double *velocity, const double *load, trk_state *state);
+
+/* r := r - B^T (k e + c e') at a state; returns the largest of these link forces. */
+double trk_newmark_subtract_linear(const trk_newmark *stepper, const trk_state *state, double *r);
+
+/* y := y + factor M x */
+void trk_newmark_add_inertia(const trk_newmark *stepper, double factor, const double *x, double *y);
+
+/* Elongation and rate of one link at a state. */
+static inline double trk_newmark_elongation(const trk_newmark *stepper, const trk_state *state,
+                                            int32_t link)
+{
+    return trk_rows_dot(&stepper->model->links, link, state->q) -
+           trk_rows_dot(&stepper->model->roads, link, state->height);
+}
+
+static inline double trk_newmark_rate(const trk_newmark *stepper, const trk_state *state,
+                                      int32_t link)
+{
+    return trk_rows_dot(&stepper->model->links, link, state->v) -
+           trk_rows_dot(&stepper->model->roads, link, state->velocity);
+}
+
+#endif
