@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/** @file truckride/truckride.h  Every public header. */
+#ifndef TRUCKRIDE_TRUCKRIDE_H
+#define TRUCKRIDE_TRUCKRIDE_H
+
+#include <truckride/base.h>
+#include <truckride/curve.h>
+#include <truckride/series.h>
+#include <truckride/spectrum.h>
+#include <truckride/signal.h>
+#include <truckride/spec.h>
+#include <truckride/vehicle.h>
+#include <truckride/model.h>
+#include <truckride/excitation.h>
+#include <truckride/newmark.h>
+#include <truckride/linear.h>
+#include <truckride/simulate.h>
+
+#endif
