@@ -38,5 +38,6 @@ endmacro()
 truckride_feature(CHOLMOD "sparse solver" HEADER cholmod.h suitesparse
                   LIBRARIES cholmod suitesparseconfig)
 truckride_feature(LAPACK "modes, frequency response" LIBRARIES lapack blas)
+truckride_feature(NLOPT "calibration" HEADER nlopt.h nlopt LIBRARIES nlopt)
 
 set_property(GLOBAL PROPERTY TRUCKRIDE_LINK_NAMES ${feature_link_names}) # for truckride.pc

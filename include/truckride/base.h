@@ -67,6 +67,9 @@ typedef int32_t trk_status;
     X(TRK_E_MODEL,       11, "model is incomplete or inconsistent")                         \
     X(TRK_E_SINGULAR,    20, "matrix is not positive definite")                             \
     X(TRK_E_CONVERGENCE, 21, "iteration did not converge")                                  \
+    X(TRK_E_LIMIT,       22, "a limit of evaluations or time came before the answer")       \
+    X(TRK_E_TARGET,      23, "a target cannot be reached")                                  \
+    X(TRK_E_IDENTIFY,    24, "a parameter cannot be found from the targets")                \
     X(TRK_E_INTERNAL,    30, "a numerical library failed unexpectedly")
 
 #define TRK_STATUS_ENUM(name, value, text) name = value,

@@ -15,5 +15,6 @@
 #include <truckride/newmark.h>
 #include <truckride/linear.h>
 #include <truckride/simulate.h>
+#include <truckride/calibrate.h>
 
 #endif

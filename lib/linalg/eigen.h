@@ -6,7 +6,7 @@
 #include "base/base.h"
 
 /*
- * All three: TRK_E_UNSUPPORTED in a build without LAPACK, TRK_E_RANGE when n < 1 or an
+ * All: TRK_E_UNSUPPORTED in a build without LAPACK, TRK_E_RANGE when n < 1 or an
  * entry is not finite, TRK_E_MEMORY. A failure leaves the arrays undefined.
  */
 
@@ -36,5 +36,13 @@ trk_status trk_eigen_general(trk_context *context, int32_t n, double *a, double 
  * TRK_E_SINGULAR: A is singular.
  */
 trk_status trk_complex_solve(trk_context *context, int32_t n, int32_t count, double *a, double *b);
+
+/*
+ * Singular values of a (rows x columns, column-major, destroyed), falling, length
+ * min(rows, columns), and V^T of A = U S V^T (columns x columns, column-major, whole: also
+ * the directions that A does not see). TRK_E_CONVERGENCE: LAPACK gave up.
+ */
+trk_status trk_singular_values(trk_context *context, int32_t rows, int32_t columns, double *a,
+                               double *out_singular, double *out_vt);
 
 #endif

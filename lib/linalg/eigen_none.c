@@ -30,4 +30,11 @@ trk_status trk_complex_solve(trk_context *context, int32_t n, int32_t count, dou
     return unsupported(context, "the frequency response");
 }
 
+trk_status trk_singular_values(trk_context *context, int32_t rows, int32_t columns, double *a,
+                               double *out_singular, double *out_vt)
+{
+    (void)rows, (void)columns, (void)a, (void)out_singular, (void)out_vt;
+    return unsupported(context, "the singular value decomposition");
+}
+
 #endif

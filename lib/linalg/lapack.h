@@ -24,4 +24,10 @@ void dgeev_(const char *jobvl, const char *jobvr, const int32_t *n, double *a, c
 void zgesv_(const int32_t *n, const int32_t *nrhs, double *a, const int32_t *lda, int32_t *ipiv,
             double *b, const int32_t *ldb, int32_t *info);
 
+/* Singular value decomposition. */
+void dgesvd_(const char *jobu, const char *jobvt, const int32_t *m, const int32_t *n, double *a,
+             const int32_t *lda, double *s, double *u, const int32_t *ldu, double *vt,
+             const int32_t *ldvt, double *work, const int32_t *lwork, int32_t *info,
+             size_t jobu_length, size_t jobvt_length);
+
 #endif

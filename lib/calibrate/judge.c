@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Judging an answer from the model itself, whatever the minimiser said.
+ *
+ * With P the pseudo-inverse of the weighted Jacobian J = w/s dy/du, the covariance of
+ * u = ln p under independent errors of the targets is P diag(w^2) P^T, and the 95 %
+ * interval of p is p exp(-+1.96 sigma) (CALIBRATE.4). A parameter is determined if
+ * that interval is shorter than its bounds are apart.
+ */
+#include "calibrate/calibrate.h"
+
+#include "linalg/eigen.h"
+#include "linalg/small.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double run_step = 0.02;           /* of u, for differences of simulated runs       */
+static const double not_seen = 1e-8;           /* singular value over the largest one: no rank  */
+static const double normal95 = 1.959963984540054;
+static const double at_bound = 1e-9, stationary = 1e-6; /* of u */
+
+typedef struct judge {
+    trk_calibration *c;
+    int32_t n, m;
+    double *y, *r, *high, *low; /* m each            */
+    double *j;                  /* m x n, row-major  */
+    double *vt, *copy;          /* n x n, m x n      */
+    double *sigma;              /* n                 */
+    double step[TRK_MAX_PARAMETERS];
+    bool minimum;
+} judge;
+
+bool trk_fit_gauss_newton(const trk_calibration *calibration, const double *u, const double *r,
+                          const double *jacobian, double *out_step)
+{
+    double a[TRK_MAX_PARAMETERS * TRK_MAX_PARAMETERS], b[TRK_MAX_PARAMETERS];
+    int32_t n = trk_fit_parameter_count(calibration), m = calibration->value_count, list[TRK_MAX_PARAMETERS];
+    int32_t count = 0;
+    for (int32_t j = 0; j < n; j++) {
+        const trk_parameter_options *o = &calibration->parameters[j].options;
+        double slope = 0;
+        for (int32_t i = 0; i < m; i++)
+            slope += jacobian[(int64_t)i * n + j] * r[i];
+        bool leaves = (u[j] <= log(o->lower) + at_bound && slope > 0) ||
+                      (u[j] >= log(o->upper) - at_bound && slope < 0);
+        out_step[j] = 0;
+        if (!leaves) {
+            b[count] = -slope;
+            list[count++] = j;
+        }
+    }
+    for (int32_t k = 0; k < count; k++)
+        for (int32_t l = 0; l < count; l++) {
+            double sum = 0;
+            for (int32_t i = 0; i < m; i++)
+                sum += jacobian[(int64_t)i * n + list[k]] * jacobian[(int64_t)i * n + list[l]];
+            a[k * count + l] = sum;
+        }
+    if (count > 0 && !trk_small_solve(count, a, b))
+        return false;
+    for (int32_t k = 0; k < count; k++) {
+        const trk_parameter_options *o = &calibration->parameters[list[k]].options;
+        double to = fmin(fmax(u[list[k]] + b[k], log(o->lower)), log(o->upper));
+        out_step[list[k]] = to - u[list[k]];
+    }
+    return true;
+}
+
+static double half_square(int32_t m, const double *r)
+{
+    double q = 0;
+    for (int32_t i = 0; i < m; i++)
+        q += r[i] * r[i] / 2;
+    return q;
+}
+
+/* Jacobian of targets taken from runs, by central differences; also looks for a lower Q around. */
+static trk_status differences(judge *w, const double *u)
+{
+    double moved[TRK_MAX_PARAMETERS], q = half_square(w->m, w->r);
+    memcpy(moved, u, (size_t)w->n * sizeof *moved);
+    for (int32_t j = 0; j < w->n; j++) {
+        for (int side = 0; side < 2; side++) {
+            double *y = side ? w->high : w->low;
+            moved[j] = u[j] + (side ? run_step : -run_step);
+            trk_status status = trk_fit_evaluate(w->c, moved, y, NULL);
+            w->c->evaluations++;
+            if (status != TRK_OK)
+                return status;
+            trk_fit_residuals(w->c, y, y, NULL);
+            bool inside = moved[j] >= log(w->c->parameters[j].options.lower) &&
+                          moved[j] <= log(w->c->parameters[j].options.upper);
+            if (inside && half_square(w->m, y) < q * (1 - 1e-3) - 1e-3)
+                w->minimum = false;
+        }
+        moved[j] = u[j];
+        for (int32_t i = 0; i < w->m; i++)
+            w->j[(int64_t)i * w->n + j] = (w->high[i] - w->low[i]) / (2 * run_step);
+    }
+    return TRK_OK;
+}
+
+static trk_status linearise(judge *w, const double *u)
+{
+    bool gradient = trk_fit_has_gradient(w->c);
+    trk_status status = trk_fit_evaluate(w->c, u, w->y, gradient ? w->j : NULL);
+    w->c->evaluations++;
+    if (status != TRK_OK)
+        return status;
+    trk_fit_residuals(w->c, w->y, w->r, gradient ? w->j : NULL);
+    w->minimum = true;
+    if (!gradient)
+        return differences(w, u);
+    double largest = 0;
+    /* Without full rank the step says nothing; then the slope J^T r must vanish by itself. */
+    if (trk_fit_gauss_newton(w->c, u, w->r, w->j, w->step)) {
+        for (int32_t j = 0; j < w->n; j++)
+            largest = fmax(largest, fabs(w->step[j]));
+        w->minimum = largest <= stationary || half_square(w->m, w->r) <= 1e-16;
+    }
+    return TRK_OK;
+}
+
+/* Standard deviations of u from the singular values. */
+static trk_status spread(judge *w)
+{
+    int32_t n = w->n, m = w->m, rank_limit = n < m ? n : m;
+    for (int32_t i = 0; i < m; i++)
+        for (int32_t j = 0; j < n; j++)
+            w->copy[(int64_t)j * m + i] = w->j[(int64_t)i * n + j];
+    double *s = w->c->singular;
+    trk_status status = trk_singular_values(w->c->context, m, n, w->copy, s, w->vt);
+    if (status != TRK_OK)
+        return status;
+    for (int32_t j = 0; j < n; j++) {
+        double variance = 0;
+        for (int32_t k = 0; k < n; k++) /* directions that the targets do not see */
+            if ((k >= rank_limit || s[k] <= not_seen * s[0]) && fabs(w->vt[j * n + k]) > 1e-6)
+                variance = INFINITY;
+        for (int32_t t = 0; t < trk_fit_target_count(w->c) && isfinite(variance); t++) {
+            const trk_fit_target *target = &w->c->targets[t];
+            for (int32_t i = target->first; i < target->first + target->count; i++) {
+                double p = 0; /* entry (j, i) of P = V S^-2 (J V)^T */
+                for (int32_t k = 0; k < rank_limit; k++) {
+                    double jv = 0;
+                    for (int32_t l = 0; l < n; l++)
+                        jv += w->j[(int64_t)i * n + l] * w->vt[l * n + k];
+                    if (s[k] > not_seen * s[0])
+                        p += w->vt[j * n + k] * jv / (s[k] * s[k]);
+                }
+                variance += p * p * target->options.weight * target->options.weight;
+            }
+        }
+        w->sigma[j] = sqrt(variance);
+    }
+    return TRK_OK;
+}
+
+static void fill_parameters(judge *w, const double *u)
+{
+    for (int32_t j = 0; j < w->n; j++) {
+        trk_fit_parameter *p = &w->c->parameters[j];
+        const trk_parameter_options *o = &p->options;
+        double range = log(o->upper / o->lower);
+        bool determined = normal95 * w->sigma[j] <= range / 2;
+        p->result = (trk_parameter_result){
+            .struct_size = sizeof p->result,
+            .start = o->start,
+            .fitted = fmin(fmax(exp(u[j]), o->lower), o->upper),
+            .low95 = determined ? exp(u[j] - normal95 * w->sigma[j]) : 0,
+            .high95 = determined ? exp(u[j] + normal95 * w->sigma[j]) : INFINITY,
+            .at_bound = u[j] <= log(o->lower) + at_bound   ? -1
+                        : u[j] >= log(o->upper) - at_bound ? 1
+                                                           : 0,
+            .determined = determined};
+    }
+}
+
+static void fill_targets(judge *w)
+{
+    for (int32_t t = 0; t < trk_fit_target_count(w->c); t++) {
+        trk_fit_target *target = &w->c->targets[t];
+        trk_target_result *result = &target->result;
+        bool curve = target->options.frequency != NULL;
+        double square = 0;
+        for (int32_t i = target->first; i < target->first + target->count; i++)
+            square += w->y[i] * w->y[i];
+        result->struct_size = sizeof *result;
+        result->measured = curve ? 0 : target->options.value;
+        result->after = curve ? sqrt(square / target->count) : w->y[target->first];
+        result->residual = (result->after - result->measured) / target->options.uncertainty;
+        result->met = fabs(result->residual) <= w->c->solve_options.met;
+    }
+}
+
+static const char *parameter_name(const trk_calibration *c, int32_t j)
+{
+    return trk_names_text(&c->parameter_names, j + 1);
+}
+
+/* A target is missed at a minimum: out of reach within the bounds, or contradicted by others. */
+static void say_missed(judge *w, int32_t worst)
+{
+    trk_calibration *c = w->c;
+    const trk_target_result *result = &c->targets[worst].result;
+    char why[256] = "the targets contradict each other or the model cannot follow them";
+    for (int32_t j = 0; j < w->n; j++)
+        if (c->parameters[j].result.at_bound)
+            trk_format(why, sizeof why, "parameter '%s' is at its %s bound %g", parameter_name(c, j),
+                       c->parameters[j].result.at_bound < 0 ? "lower" : "upper",
+                       c->parameters[j].result.fitted);
+    trk_format(c->verdict, sizeof c->verdict,
+               "target '%s' cannot be reached: %g at best, %g measured, %.1f standard uncertainties off; %s",
+               trk_names_text(&c->target_names, worst + 1), result->after, result->measured,
+               fabs(result->residual), why);
+}
+
+static void conclude(judge *w, trk_status stopped)
+{
+    trk_calibration *c = w->c;
+    int32_t worst = 0, unknown = -1;
+    for (int32_t t = 1; t < trk_fit_target_count(c); t++)
+        if (fabs(c->targets[t].result.residual) > fabs(c->targets[worst].result.residual))
+            worst = t;
+    for (int32_t j = w->n - 1; j >= 0; j--)
+        if (!c->parameters[j].result.determined)
+            unknown = j;
+    c->outcome = TRK_OK;
+    if (stopped == TRK_E_LIMIT || stopped == TRK_E_CANCELLED) {
+        c->outcome = stopped;
+        trk_format(c->verdict, sizeof c->verdict, "%s after %lld evaluations; target '%s' is %.3g standard uncertainties off",
+                   stopped == TRK_E_LIMIT ? "stopped by the limit of evaluations or time" : "cancelled",
+                   (long long)c->evaluations, trk_names_text(&c->target_names, worst + 1),
+                   fabs(c->targets[worst].result.residual));
+    } else if (!w->minimum) {
+        c->outcome = TRK_E_CONVERGENCE;
+        trk_format(c->verdict, sizeof c->verdict,
+                   "no minimum was reached in %lld evaluations, %lld of which failed",
+                   (long long)c->evaluations, (long long)c->failures);
+    } else if (!c->targets[worst].result.met) {
+        c->outcome = TRK_E_TARGET;
+        say_missed(w, worst);
+    } else if (unknown >= 0) {
+        c->outcome = TRK_E_IDENTIFY;
+        trk_format(c->verdict, sizeof c->verdict,
+                   isfinite(w->sigma[unknown])
+                       ? "parameter '%s' is not determined: the targets leave it a factor of %.3g up or down"
+                       : "parameter '%s' is not determined: the targets do not depend on it alone",
+                   parameter_name(c, unknown), exp(normal95 * w->sigma[unknown]));
+    } else {
+        trk_format(c->verdict, sizeof c->verdict,
+                   "all targets are met and all parameters are determined");
+    }
+}
+
+static trk_status run(judge *w, const double *u, trk_status stopped)
+{
+    trk_status status = linearise(w, u);
+    if (status == TRK_E_MEMORY)
+        return status;
+    if (status != TRK_OK)
+        return trk_fail_within(w->c->context, TRK_E_CONVERGENCE, "the answer cannot be evaluated again");
+    status = spread(w);
+    if (status != TRK_OK)
+        return status;
+    memcpy(w->c->jacobian, w->j, (size_t)w->m * (size_t)w->n * sizeof *w->j);
+    fill_parameters(w, u);
+    fill_targets(w);
+    conclude(w, stopped);
+    return TRK_OK;
+}
+
+trk_status trk_fit_judge(trk_calibration *calibration, const double *u, trk_status stopped)
+{
+    trk_context *context = calibration->context;
+    int64_t n = trk_fit_parameter_count(calibration), m = calibration->value_count;
+    trk_free(context, calibration->jacobian);
+    trk_free(context, calibration->singular);
+    calibration->jacobian = trk_new(context, m * n, sizeof(double));
+    calibration->singular = trk_new(context, n < m ? n : m, sizeof(double));
+    double *block = trk_new(context, 4 * m + 2 * m * n + n * n + n, sizeof *block);
+    trk_status status = TRK_E_MEMORY;
+    if (calibration->jacobian && calibration->singular && block) {
+        judge w = {.c = calibration, .n = (int32_t)n, .m = (int32_t)m};
+        w.y = block;
+        w.r = w.y + m;
+        w.high = w.r + m;
+        w.low = w.high + m;
+        w.j = w.low + m;
+        w.copy = w.j + m * n;
+        w.vt = w.copy + m * n;
+        w.sigma = w.vt + n * n;
+        status = run(&w, u, stopped);
+    }
+    trk_free(context, block);
+    return status;
+}
