@@ -14,7 +14,8 @@
  * alpha_m = alpha_f = 0 is Newmark's method (1959), alpha_m = 0 that of Hilber,
  * Hughes and Taylor (1977), both non-zero that of Chung and Hulbert (1993).
  * beta = 1/4, gamma = 1/2 (average acceleration, the default) is second order,
- * stable for every step and adds no damping.
+ * stable for every step and adds no damping. With alpha_m or alpha_f the acceleration a1
+ * is second order at the time t1 - (alpha_f - alpha_m) h, at t1 first order (NEWMARK.11).
  *
  * The matrix of all linear parts is factored once. The few non-linear links see
  * the rest of the vehicle only through a small matrix, so that Newton's method
@@ -34,10 +35,10 @@ typedef struct trk_newmark_options {
     size_t      struct_size;    /**< [byte] set by trk_newmark_options_init()              */
     double      step;           /**< [s] h > 0; default 0.001                              */
     double      beta;           /**< [-] 0 to 1; default 1/4                               */
-    double      gamma;          /**< [-] 1/2 to 1; default 1/2                             */
+    double      gamma;          /**< [-] 1/2 to 3/2; default 1/2                            */
     double      alpha_f;        /**< [-] 0 to 1/2; default 0                               */
     double      alpha_m;        /**< [-] -1 to alpha_f; default 0                          */
-    double      tolerance;      /**< [-] residual of the link forces over the largest link force, > 0; default 1e-10 */
+    double      tolerance;      /**< [-] residual of the link forces over the largest link force (NEWMARK.12), > 0; default 1e-10 */
     int32_t     max_iterations; /**< [-] Newton iterations in a step, >= 1; default 30     */
     trk_backend backend;        /**< [-] default TRK_BACKEND_AUTO                          */
 } trk_newmark_options;
@@ -105,7 +106,8 @@ TRK_API void trk_newmark_destroy(trk_newmark *stepper);
  * @param velocity [m/s] their rates, length roads; NULL for zero
  * @param load     [N, N m] on the force ports, length ports; NULL for none
  * @retval TRK_E_ARGUMENT stepper is NULL
- * @retval TRK_E_RANGE    a value is not finite; the state stays as it was
+ * @retval TRK_E_RANGE    a value is not finite, or the acceleration is not; the state stays as it was
+ * @retval TRK_E_MEMORY   sparse backend only: no scratch memory for CHOLMOD
  */
 TRK_API trk_status trk_newmark_set_state(trk_newmark *stepper, double time, const double *q,
                                          const double *v, const double *height,

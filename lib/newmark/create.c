@@ -3,6 +3,9 @@
 #include "newmark/newmark.h"
 #include "newmark/options.h"
 
+#include <float.h>
+#include <math.h>
+
 /* Every array starts on a cache line. */
 static int64_t padded(int64_t count)
 {
@@ -34,7 +37,8 @@ static trk_status allocate(trk_newmark *stepper)
     int32_t n = model->n, p = model->nonlinear_count, roads = model->names[TRK_PART_ROAD].count;
     int64_t square = padded((int64_t)p * p);
     int64_t state = 4 * padded(n) + 2 * padded(roads) + padded(p);
-    int64_t doubles = 2 * state + 2 * padded(n) + padded((int64_t)p * n) + 2 * square + 7 * padded(p);
+    int64_t doubles = 2 * state + 2 * padded(n) + padded((int64_t)p * n) + 2 * square +
+                      7 * padded(p) + padded(model->links.count);
     stepper->block = trk_new(stepper->context, doubles, sizeof *stepper->block);
     stepper->nonlinear_index =
         trk_new(stepper->context, model->links.count, sizeof *stepper->nonlinear_index);
@@ -47,6 +51,7 @@ static trk_status allocate(trk_newmark *stepper)
     stepper->p = p;
     stepper->load_row = take(&cursor, n);
     stepper->residual = take(&cursor, n);
+    stepper->link_factor = take(&cursor, model->links.count);
     stepper->influence = take(&cursor, (int64_t)p * n);
     stepper->coupling = take(&cursor, (int64_t)p * p);
     stepper->jacobian = take(&cursor, (int64_t)p * p);
@@ -68,18 +73,15 @@ trk_status trk_newmark_factorize(trk_newmark *stepper)
 {
     const trk_model *model = stepper->model;
     const trk_newmark_options *o = &stepper->options;
-    double *s = trk_new(stepper->context, model->links.count, sizeof *s);
-    if (!s)
-        return TRK_E_MEMORY;
+    double *s = stepper->link_factor;
     for (int32_t k = 0; k < model->links.count; k++)
         s[k] = (1 - o->alpha_f) * o->step *
                (o->gamma * model->laws[k].damping + o->beta * o->step * model->laws[k].stiffness);
     int32_t bad = 0;
     trk_status status = trk_assembly_factorize(&stepper->assembly, 1 - o->alpha_m, s, &bad);
-    if (status == TRK_E_SINGULAR)
-        status = trk_model_fail_singular(stepper->context, model, "matrix of the step", s, bad);
-    trk_free(stepper->context, s);
-    return status;
+    return status == TRK_E_SINGULAR
+               ? trk_model_fail_singular(stepper->context, model, "matrix of the step", s, bad)
+               : status;
 }
 
 /* Z and D of (NEWMARK.5). */
@@ -99,18 +101,40 @@ static trk_status find_influence(trk_newmark *stepper)
     return TRK_OK;
 }
 
+/* Largest force of a table, 0 without one. */
+static double largest_of(const trk_curve *curve)
+{
+    double largest = 0;
+    for (int64_t k = 0; curve && k < trk_curve_count(curve); k++)
+        largest = fmax(largest, fabs(trk_curve_y(curve)[k]));
+    return largest;
+}
+
+/* What rounding leaves of a force computed as a difference of table forces. */
+static double find_force_floor(const trk_model *model)
+{
+    double largest = 0;
+    for (int32_t j = 0; j < model->nonlinear_count; j++) {
+        const trk_law *law = &model->laws[model->nonlinear[j]];
+        largest = fmax(largest, law->spring_scale * largest_of(law->spring) +
+                                    law->damper_scale * largest_of(law->damper));
+    }
+    return 8 * DBL_EPSILON * largest;
+}
+
 static trk_status prepare(trk_newmark *stepper)
 {
     const trk_model *model = stepper->model;
     trk_status status = allocate(stepper);
     if (status == TRK_OK)
-        status = trk_assembly_create(stepper->context, stepper->options.backend, model->n,
-                                     &model->inertia, model->mass, &model->links,
-                                     &stepper->assembly);
+        status =
+            trk_assembly_create(stepper->context, stepper->options.backend, model->n,
+                                &model->inertia, model->mass, &model->links, &stepper->assembly);
     if (status == TRK_OK)
         status = trk_newmark_factorize(stepper);
     if (status == TRK_OK)
         status = find_influence(stepper);
+    stepper->force_floor = find_force_floor(model);
     if (status == TRK_OK)
         status = trk_newmark_set_state(stepper, 0, NULL, NULL, NULL, NULL, NULL);
     if (status != TRK_OK)

@@ -63,39 +63,56 @@ static bool newton_step(trk_newmark *stepper)
 }
 
 /*
- * Smallest mismatch that rounding of the state lets through: it matters when a
- * stiff link sees a small elongation as the difference of large displacements.
+ * Smallest mismatch that rounding of the coordinates lets through (NEWMARK.12): it matters
+ * when a stiff link sees a small elongation as the difference of large displacements.
  */
 static double rounding(const trk_newmark *stepper)
 {
     const trk_model *model = stepper->model;
-    double largest = 0;
+    const trk_newmark_options *o = &stepper->options;
+    const trk_state *next = &stepper->next;
+    double q_factor = o->beta * o->step * o->step, v_factor = o->gamma * o->step, largest = 0;
     for (int32_t j = 0; j < stepper->p; j++) {
         int32_t link = model->nonlinear[j];
-        double e = fabs(trk_rows_dot(&model->roads, link, stepper->next.height));
-        double v = fabs(trk_rows_dot(&model->roads, link, stepper->next.velocity));
+        double acceleration = 0, a = 0;
+        double e = fabs(trk_rows_dot(&model->roads, link, next->height));
+        double v = fabs(trk_rows_dot(&model->roads, link, next->velocity));
         for (int64_t k = model->links.start[link]; k < model->links.start[link + 1]; k++) {
-            e += fabs(model->links.value[k] * stepper->next.q[model->links.column[k]]);
-            v += fabs(model->links.value[k] * stepper->next.v[model->links.column[k]]);
+            int32_t i = model->links.column[k];
+            double coefficient = fabs(model->links.value[k]);
+            e += coefficient * fabs(next->q[i]);
+            v += coefficient * fabs(next->v[i]);
+            acceleration += coefficient * fabs(next->a[i]);
         }
+        for (int32_t k = 0; k < stepper->p; k++) {
+            double term =
+                (1 - o->alpha_f) * stepper->coupling[(int64_t)j * stepper->p + k] * next->force[k];
+            a += term;
+            acceleration += fabs(term);
+        }
+        const trk_law *law = &model->laws[link];
         trk_law_hint hint = stepper->hints[j];
         trk_law_point point;
-        trk_law_evaluate(&model->laws[link], stepper->e_free[j], stepper->v_free[j], &hint, &point);
+        trk_law_evaluate(law, stepper->e_free[j] - q_factor * a, stepper->v_free[j] - v_factor * a,
+                         &hint, &point);
+        e += q_factor * acceleration + fabs(law->spring_offset);
+        v += v_factor * acceleration;
         largest = fmax(largest, fabs(point.stiffness) * e + fabs(point.damping) * v);
     }
-    return 32 * DBL_EPSILON * largest;
+    return fmax(stepper->force_floor, 32 * DBL_EPSILON * largest);
 }
 
 static trk_status fail(trk_newmark *stepper, int32_t iterations, check result)
 {
     int32_t link = stepper->model->nonlinear[result.worst] + 1;
     stepper->statistics.worst_link = link;
-    return trk_fail(stepper->context, TRK_E_CONVERGENCE,
-                    "%s: no convergence in the step after t = %.9g s: after %d iterations link '%s' is "
-                    "%.3g N off, tolerance %g of the largest link force",
-                    trk_model_name(stepper->model), trk_newmark_time(stepper), iterations,
-                    trk_model_part_name(stepper->model, TRK_PART_LINK, link), result.mismatch,
-                    stepper->options.tolerance);
+    return trk_fail(
+        stepper->context, TRK_E_CONVERGENCE,
+        "%s: no convergence in the step after t = %.9g s: after %d iterations link '%s' is "
+        "%.3g N off, tolerance %g of the largest link force",
+        trk_model_name(stepper->model), trk_newmark_time(stepper), iterations,
+        trk_model_part_name(stepper->model, TRK_PART_LINK, link), result.mismatch,
+        stepper->options.tolerance);
 }
 
 /* Replace g by the best of g + dg, g + dg / 2, ... and evaluate there. */
@@ -120,16 +137,16 @@ static check search(trk_newmark *stepper, double mismatch)
 trk_status trk_newmark_solve_forces(trk_newmark *stepper, double force_scale)
 {
     check result = evaluate(stepper, stepper->next.force);
-    double tolerance = stepper->options.tolerance;
+    double tolerance = stepper->options.tolerance, least = stepper->force_floor;
     int32_t iterations = 0;
-    while (!(result.mismatch <= tolerance * fmax(force_scale, result.force))) {
+    while (!(result.mismatch <= fmax(least, tolerance * fmax(force_scale, result.force)))) {
         double before = result.mismatch;
         if (iterations == stepper->options.max_iterations || !isfinite(before) ||
             !newton_step(stepper))
             return fail(stepper, iterations, result);
         result = search(stepper, before);
         iterations++;
-        if (!(result.mismatch < before) && result.mismatch <= rounding(stepper))
+        if (!(result.mismatch < before / 2) && result.mismatch <= rounding(stepper))
             break;
     }
     stepper->statistics.iterations += iterations;

@@ -9,23 +9,25 @@
 
 /* Everything that a step replaces; two of them take turns. */
 typedef struct trk_state {
-    double *q, *v, *a;        /* length n                                             */
-    double *height, *velocity;/* road at this time, length roads                      */
-    double *force;            /* g of the non-linear links, length p                  */
-    double *rest;             /* r(q, v, t) of (NEWMARK.1), length n; only if alpha_f */
+    double *q, *v, *a;         /* length n                                             */
+    double *height, *velocity; /* road at this time, length roads                      */
+    double *force;             /* g of the non-linear links, length p                  */
+    double *rest;              /* r(q, v, t) of (NEWMARK.1), length n; only if alpha_f */
 } trk_state;
 
 struct trk_newmark {
     trk_context *context;
     const trk_model *model;
     trk_newmark_options options;
-    double start;             /* [s] time = start + taken * step                      */
-    int64_t taken;            /* steps since the state was set                        */
+    double start;  /* [s] time = start + taken * step                      */
+    int64_t taken; /* steps since the state was set                        */
     trk_state now, next;
     trk_assembly assembly;    /* holds the factors of S0 of (NEWMARK.4)               */
     double *block;            /* memory of all arrays of doubles here                 */
     double *load_row;         /* P p + w, length n                                    */
     double *residual;         /* length n                                             */
+    double *link_factor;      /* of B^T diag(s) B in S0, length links                 */
+    double force_floor;       /* rounding of the largest table force (NEWMARK.12) [N, N m] */
     int32_t p;                /* non-linear links                                     */
     int32_t *nonlinear_index; /* by link: place among the non-linear ones or -1       */
     trk_law_hint *hints;      /* p                                                    */

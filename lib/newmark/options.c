@@ -52,21 +52,21 @@ static trk_status check_range(trk_context *context, const char *field, double va
 {
     if (value >= low && value <= high)
         return TRK_OK;
-    return trk_fail(context, TRK_E_RANGE, "trk_newmark_options: %s is %g; %g to %g is needed", field,
-                    value, low, high);
+    return trk_fail(context, TRK_E_RANGE, "trk_newmark_options: %s is %g; %g to %g is needed",
+                    field, value, low, high);
 }
 
 trk_status trk_newmark_read_options(trk_context *context, const trk_newmark_options *options,
                                     trk_newmark_options *out)
 {
     *out = defaults;
-    trk_status status =
-        trk_read_options(context, "trk_newmark_options", options, out, sizeof *out);
+    trk_status status = trk_read_options(context, "trk_newmark_options", options, out, sizeof *out);
     if (status != TRK_OK)
         return status;
     if (!isfinite(out->step) || out->step <= 0)
         return trk_fail(context, TRK_E_RANGE,
-                        "trk_newmark_options: step is %g s; a finite number > 0 is needed", out->step);
+                        "trk_newmark_options: step is %g s; a finite number > 0 is needed",
+                        out->step);
     if (!isfinite(out->tolerance) || out->tolerance <= 0)
         return trk_fail(context, TRK_E_RANGE,
                         "trk_newmark_options: tolerance is %g; a finite number > 0 is needed",
@@ -77,7 +77,7 @@ trk_status trk_newmark_read_options(trk_context *context, const trk_newmark_opti
                         out->max_iterations);
     status = check_range(context, "beta", out->beta, 0, 1);
     if (status == TRK_OK)
-        status = check_range(context, "gamma", out->gamma, 0.5, 1);
+        status = check_range(context, "gamma", out->gamma, 0.5, 1.5);
     if (status == TRK_OK)
         status = check_range(context, "alpha_f", out->alpha_f, 0, 0.5);
     if (status == TRK_OK)

@@ -47,7 +47,8 @@ trk_status trk_newmark_take_inputs(trk_newmark *stepper, const double *height,
     trk_status status =
         take_values(stepper, "road height", TRK_PART_ROAD, roads, height, state->height);
     if (status == TRK_OK)
-        status = take_values(stepper, "road velocity", TRK_PART_ROAD, roads, velocity, state->velocity);
+        status =
+            take_values(stepper, "road velocity", TRK_PART_ROAD, roads, velocity, state->velocity);
     return status == TRK_OK ? take_load(stepper, load) : status;
 }
 
@@ -78,8 +79,9 @@ static trk_status balance(trk_newmark *stepper, trk_state *state)
     return status == TRK_OK ? refactored : status;
 }
 
-trk_status trk_newmark_set_state(trk_newmark *stepper, double time, const double *q, const double *v,
-                                 const double *height, const double *velocity, const double *load)
+trk_status trk_newmark_set_state(trk_newmark *stepper, double time, const double *q,
+                                 const double *v, const double *height, const double *velocity,
+                                 const double *load)
 {
     TRK_REQUIRE(NULL, stepper, "trk_newmark_set_state");
     const trk_model *model = stepper->model;
@@ -97,6 +99,12 @@ trk_status trk_newmark_set_state(trk_newmark *stepper, double time, const double
         status = balance(stepper, state);
     if (status != TRK_OK)
         return status;
+    for (int32_t i = 0; i < model->n; i++)
+        if (!isfinite(state->a[i]))
+            return trk_fail(stepper->context, TRK_E_RANGE,
+                            "%s: acceleration of '%s' is %g in the state to set",
+                            trk_model_name(model),
+                            trk_model_part_name(model, TRK_PART_COORDINATE, i + 1), state->a[i]);
     trk_state before = stepper->now;
     stepper->now = stepper->next;
     stepper->next = before;
@@ -163,10 +171,16 @@ void trk_newmark_read_sensors(const trk_newmark *stepper, double *out_values)
     for (int32_t k = 0; k < model->sensors.count; k++) {
         int32_t link = model->sensor_link[k];
         switch (model->sensor_quantity[k]) {
-        case TRK_QUANTITY_DISPLACEMENT: out_values[k] = trk_rows_dot(&model->sensors, k, now->q); break;
+        case TRK_QUANTITY_DISPLACEMENT:
+            out_values[k] = trk_rows_dot(&model->sensors, k, now->q);
+            break;
         case TRK_QUANTITY_VELOCITY: out_values[k] = trk_rows_dot(&model->sensors, k, now->v); break;
-        case TRK_QUANTITY_ACCELERATION: out_values[k] = trk_rows_dot(&model->sensors, k, now->a); break;
-        case TRK_QUANTITY_ELONGATION: out_values[k] = trk_newmark_elongation(stepper, now, link); break;
+        case TRK_QUANTITY_ACCELERATION:
+            out_values[k] = trk_rows_dot(&model->sensors, k, now->a);
+            break;
+        case TRK_QUANTITY_ELONGATION:
+            out_values[k] = trk_newmark_elongation(stepper, now, link);
+            break;
         case TRK_QUANTITY_RATE: out_values[k] = trk_newmark_rate(stepper, now, link); break;
         default: out_values[k] = link_force(stepper, link); break;
         }

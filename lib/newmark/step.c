@@ -67,8 +67,7 @@ static void start_newton(trk_newmark *stepper)
     for (int32_t j = 0; j < stepper->p; j++) {
         int32_t link = stepper->model->nonlinear[j];
         double a = trk_rows_dot(&stepper->model->links, link, stepper->next.a);
-        stepper->e_free[j] =
-            trk_newmark_elongation(stepper, &stepper->next, link) + q_factor * a;
+        stepper->e_free[j] = trk_newmark_elongation(stepper, &stepper->next, link) + q_factor * a;
         stepper->v_free[j] = trk_newmark_rate(stepper, &stepper->next, link) + v_factor * a;
         double g = stepper->now.force[j];
         stepper->next.force[j] = 3 * (g - stepper->past1[j]) + stepper->past2[j];

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What an engineer writes in an afternoon, and writes well: Newmark's method with Newton
+ * on all accelerations. Matrices and curves are extracted beforehand; a step assembles
+ * the lower triangle of the tangent, factors it by Cholesky and allocates nothing. Same
+ * extrapolated start and tolerance as the stepper. Roads act on linear links only; no loads.
+ */
+#ifndef TRK_TESTS_PLAIN_NEWTON_H
+#define TRK_TESTS_PLAIN_NEWTON_H
+
+#include <stdbool.h>
+#include <truckride/newmark.h>
+
+typedef struct plain_newton plain_newton;
+
+/* From rest at q = 0. NULL: no memory, too many coordinates, or a curve on a road. */
+plain_newton *plain_newton_create(const trk_model *model, const trk_newmark_options *options);
+void plain_newton_destroy(plain_newton *f);
+
+/* false: no convergence. */
+bool plain_newton_step(plain_newton *f, const double *height, const double *velocity);
+const double *plain_newton_q(const plain_newton *f);
+
+/* Newton iterations so far. */
+long long plain_newton_iterations(const plain_newton *f);
+
+#endif
