@@ -26,6 +26,7 @@ typedef struct trk_modes trk_modes;
  * @retval TRK_E_ARGUMENT    a pointer is NULL
  * @retval TRK_E_RANGE       the working point is not finite
  * @retval TRK_E_UNSUPPORTED this build has no LAPACK
+ * @retval TRK_E_CONVERGENCE LAPACK did not converge
  * @retval TRK_E_INTERNAL    LAPACK failed
  * @retval TRK_E_MEMORY      no memory
  * A negative eigenvalue omega^2 (the working point is not stable) is given as a
@@ -36,7 +37,8 @@ TRK_API trk_status trk_modes_create_undamped(trk_context *context, const trk_mod
 
 /**
  * Damped modes (LINEAR.2), by rising natural frequency |lambda| / 2 pi: one for each
- * complex pair and one for each real eigenvalue (overdamped).
+ * complex pair and one for each real eigenvalue (overdamped). A motion that nothing
+ * holds or damps gives two zero eigenvalues, its place and its speed.
  *
  * @param q [m, rad] working point; NULL for static equilibrium
  * @param v [m/s, rad/s] velocity at which curves are linearised; NULL for rest

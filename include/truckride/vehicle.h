@@ -65,9 +65,9 @@ typedef struct trk_half_car_parameters {
     size_t              struct_size;         /**< [byte] set by trk_half_car_parameters_init()  */
     trk_half_car_layout layout;              /**< [-] default TRK_HALF_CAR_PITCH                */
     double              body_mass;           /**< [kg] default 3542.5: one side of the reference tractor, cab and frame in one */
-    double              body_inertia;        /**< [kg m^2] pitch or roll; default 15093.2       */
-    double              position[2];         /**< [m] of the axles from the body's cg, forward or left positive; default 1.748, -2.752 */
-    double              unsprung_mass[2];    /**< [kg] default 542.39, 548.79                   */
+    double              body_inertia;        /**< [kg m^2] pitch or roll; default 14242.489      */
+    double              position[2];         /**< [m] of the axles from the body's cg, forward or left positive; default 1.747996, -2.752004 */
+    double              unsprung_mass[2];    /**< [kg] default 542.3905, 548.7905               */
     double              spring_stiffness[2]; /**< [N/m] default 222276, 256061.9                */
     double              damping[2];          /**< [N s/m] default 20000, 20000                  */
     double              tire_stiffness[2];   /**< [N/m] default 817500, 817500                  */
@@ -151,7 +151,8 @@ TRK_API trk_status trk_vehicle_create_quarter_car(trk_context *context,
                                                   const trk_quarter_car_parameters *parameters,
                                                   trk_spec **out_spec) TRK_MUST_CHECK;
 
-/** Half car, 4 coordinates. Arguments and errors as trk_vehicle_create_quarter_car(). */
+/** Half car, 4 coordinates. Arguments and errors as trk_vehicle_create_quarter_car();
+ *  TRK_E_ARGUMENT also for an unknown layout. */
 TRK_API trk_status trk_vehicle_create_half_car(trk_context *context,
                                                const trk_half_car_parameters *parameters,
                                                trk_spec **out_spec) TRK_MUST_CHECK;

@@ -13,17 +13,21 @@
 
 #include "linalg/eigen.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* |lambda| and the column it stands in. */
+typedef struct rank {
+    double size;
+    int32_t column;
+} rank;
+
 /* Arrays of the general eigenproblem of order 2 n. */
 typedef struct workspace {
     double *matrix, *re, *im, *vectors, *half;
-    struct rank {
-        double size;
-        int32_t column;
-    } *order;
+    rank *order;
 } workspace;
 
 /* Phi^T C Phi into c, column-major; half is n x n. */
@@ -59,10 +63,21 @@ static void fill_matrix(int32_t n, const double *omega_squared, const double *c,
 
 static int by_size(const void *a, const void *b)
 {
-    const struct rank *x = a, *y = b;
+    const rank *x = a, *y = b;
     if (x->size != y->size)
         return x->size < y->size ? -1 : 1;
     return x->column - y->column;
+}
+
+/* What is rounding of the largest eigenvalue is zero: place and speed of a free body. */
+static void clear_rounding(int32_t order, double *re, double *im)
+{
+    double largest = 0;
+    for (int32_t k = 0; k < order; k++)
+        largest = fmax(largest, hypot(re[k], im[k]));
+    for (int32_t k = 0; k < order; k++)
+        if (hypot(re[k], im[k]) <= order * DBL_EPSILON * largest)
+            re[k] = im[k] = 0;
 }
 
 /* One mode for each eigenvalue with im >= 0, by rising |lambda|. */
@@ -71,7 +86,7 @@ static int32_t select_modes(int32_t n, const workspace *w)
     int32_t count = 0;
     for (int32_t k = 0; k < 2 * n; k++)
         if (w->im[k] >= 0)
-            w->order[count++] = (struct rank){hypot(w->re[k], w->im[k]), k};
+            w->order[count++] = (rank){hypot(w->re[k], w->im[k]), k};
     qsort(w->order, (size_t)count, sizeof *w->order, by_size);
     return count;
 }
@@ -97,16 +112,17 @@ static trk_status solve(trk_context *context, const trk_model *model, trk_tangen
                         workspace *w, trk_modes **out_modes)
 {
     int32_t n = tangent->n;
-    trk_status status =
-        trk_eigen_symmetric(context, n, tangent->stiffness, tangent->mass, w->re);
+    trk_status status = trk_eigen_symmetric(context, n, tangent->stiffness, tangent->mass, w->re);
     if (status != TRK_OK)
         return status;
+    trk_modes_clear_rounding(n, w->re);
     const double *phi = tangent->stiffness;
     project(n, phi, tangent->damping, w->half, tangent->mass);
     fill_matrix(n, w->re, tangent->mass, w->matrix);
     status = trk_eigen_general(context, 2 * n, w->matrix, w->re, w->im, w->vectors);
     if (status != TRK_OK)
         return status;
+    clear_rounding(2 * n, w->re, w->im);
     int32_t count = select_modes(n, w);
     status = trk_modes_allocate(context, n, count, out_modes);
     if (status != TRK_OK)

@@ -2,6 +2,7 @@
 /* A set of modes: memory, energy, labels, queries. */
 #include "linear/modes.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -43,6 +44,16 @@ void trk_modes_destroy(trk_modes *modes)
     trk_free(context, modes->dominant);
     trk_free(context, modes->label);
     trk_free(context, modes);
+}
+
+void trk_modes_clear_rounding(int32_t n, double *omega_squared)
+{
+    double largest = 0;
+    for (int32_t k = 0; k < n; k++)
+        largest = fmax(largest, fabs(omega_squared[k]));
+    for (int32_t k = 0; k < n; k++)
+        if (fabs(omega_squared[k]) <= n * DBL_EPSILON * largest)
+            omega_squared[k] = 0;
 }
 
 /* Energy shares of one mode (LINEAR.4); returns phi^H M phi. */
@@ -103,8 +114,9 @@ trk_status trk_modes_finish(trk_modes *modes, const trk_model *model)
     }
     trk_free(modes->context, mass);
     for (int32_t k = 0; k < modes->count; k++) {
-        modes->label[k] = trk_copy_text(
-            modes->context, trk_model_part_name(model, TRK_PART_COORDINATE, modes->dominant[k] + 1));
+        modes->label[k] =
+            trk_copy_text(modes->context,
+                          trk_model_part_name(model, TRK_PART_COORDINATE, modes->dominant[k] + 1));
         if (!modes->label[k])
             return TRK_E_MEMORY;
     }
@@ -159,7 +171,8 @@ trk_status trk_modes_get_energy(const trk_modes *modes, int32_t mode, double *ou
 {
     if (!has(modes, mode) || !out_share)
         return TRK_E_ARGUMENT;
-    memcpy(out_share, modes->share + (int64_t)(mode - 1) * modes->n, (size_t)modes->n * sizeof(double));
+    memcpy(out_share, modes->share + (int64_t)(mode - 1) * modes->n,
+           (size_t)modes->n * sizeof(double));
     return TRK_OK;
 }
 

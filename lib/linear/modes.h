@@ -19,6 +19,9 @@ struct trk_modes {
 /* Memory for up to `capacity` modes of n coordinates, count still 0. */
 trk_status trk_modes_allocate(trk_context *context, int32_t n, int32_t capacity, trk_modes **out);
 
+/* Eigenvalues omega^2 are known to rounding of the largest: make those of a free body zero. */
+void trk_modes_clear_rounding(int32_t n, double *omega_squared);
+
 /* Energy, phase, label and norm of all modes, once lambda and raw shapes are there. */
 trk_status trk_modes_finish(trk_modes *modes, const trk_model *model);
 

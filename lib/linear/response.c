@@ -17,11 +17,11 @@ typedef struct response {
     trk_context *context;
     const trk_model *model;
     trk_tangent tangent;
-    double *link_stiffness, *link_damping;      /* tangents, by link         */
+    double *link_stiffness, *link_damping; /* tangents, by link         */
     const double *road_gain, *road_delay, *load_gain;
-    double complex *road;                       /* u at this frequency       */
-    double complex *q;                          /* response of coordinates   */
-    double complex *matrix;                     /* K + i w C - w^2 M         */
+    double complex *road;   /* u at this frequency       */
+    double complex *q;      /* response of coordinates   */
+    double complex *matrix; /* K + i w C - w^2 M         */
 } response;
 
 /* row . x for a complex x. */
@@ -43,8 +43,8 @@ static trk_status solve_at(response *r, double omega)
     }
     memset(r->q, 0, (size_t)n * sizeof *r->q);
     for (int32_t k = 0; k < model->links.count; k++) {
-        double complex f =
-            (r->link_stiffness[k] + I * omega * r->link_damping[k]) * dot(&model->roads, k, r->road);
+        double complex f = (r->link_stiffness[k] + I * omega * r->link_damping[k]) *
+                           dot(&model->roads, k, r->road);
         for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++)
             r->q[model->links.column[j]] += model->links.value[j] * f;
     }
@@ -103,9 +103,9 @@ static trk_status check(trk_context *context, const char *what, int64_t count, c
 {
     for (int64_t k = 0; values && k < count; k++)
         if (!isfinite(values[k]) || values[k] < low)
-            return trk_fail(context, TRK_E_RANGE, "trk_frequency_response: %s[%lld] is %g; %s is needed",
-                            what, (long long)k, values[k],
-                            low == 0 ? "a finite number >= 0" : "a finite number");
+            return trk_fail(
+                context, TRK_E_RANGE, "trk_frequency_response: %s[%lld] is %g; %s is needed", what,
+                (long long)k, values[k], low == 0 ? "a finite number >= 0" : "a finite number");
     return TRK_OK;
 }
 
@@ -134,7 +134,8 @@ trk_status trk_frequency_response(trk_context *context, const trk_model *model, 
     TRK_REQUIRE(context, model, "trk_frequency_response");
     TRK_REQUIRE(context, frequency, "trk_frequency_response");
     TRK_REQUIRE(context, out_response, "trk_frequency_response");
-    int32_t roads = trk_model_count(model, TRK_PART_ROAD), ports = trk_model_count(model, TRK_PART_PORT);
+    int32_t roads = trk_model_count(model, TRK_PART_ROAD),
+            ports = trk_model_count(model, TRK_PART_PORT);
     response r = {.context = context,
                   .model = model,
                   .road_gain = road_gain,

@@ -5,23 +5,19 @@
 
 #include "linalg/eigen.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
 static trk_status solve(const trk_model *model, trk_tangent *tangent, trk_modes *modes)
 {
     int32_t n = tangent->n;
-    trk_status status = trk_eigen_symmetric(modes->context, n, tangent->stiffness, tangent->mass,
-                                            modes->lambda_im);
+    trk_status status =
+        trk_eigen_symmetric(modes->context, n, tangent->stiffness, tangent->mass, modes->lambda_im);
     if (status != TRK_OK)
         return status;
-    /* Eigenvalues are known to rounding of the largest: a free body's come out as zero. */
-    double rounding = n * DBL_EPSILON * fabs(modes->lambda_im[n - 1]);
-    for (int32_t k = 0; k < n; k++) {
-        double lambda = fabs(modes->lambda_im[k]) <= rounding ? 0 : modes->lambda_im[k];
-        modes->lambda_im[k] = copysign(sqrt(fabs(lambda)), lambda);
-    }
+    trk_modes_clear_rounding(n, modes->lambda_im);
+    for (int32_t k = 0; k < n; k++)
+        modes->lambda_im[k] = copysign(sqrt(fabs(modes->lambda_im[k])), modes->lambda_im[k]);
     /* Column k of the result is row k of the shapes. */
     memcpy(modes->re, tangent->stiffness, (size_t)n * (size_t)n * sizeof *modes->re);
     modes->count = n;

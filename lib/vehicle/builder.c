@@ -24,13 +24,13 @@ trk_status trk_builder_end(trk_builder *builder, trk_spec **out_spec)
     return builder->status;
 }
 
-#define FORMAT_NAME(name, text)                           \
-    char text[NAME_SIZE];                                 \
-    do {                                                  \
-        va_list arguments;                                \
-        va_start(arguments, name);                        \
-        trk_format_list(text, sizeof text, name, arguments); \
-        va_end(arguments);                                \
+#define FORMAT_NAME(name, text)                                                                    \
+    char text[NAME_SIZE];                                                                          \
+    do {                                                                                           \
+        va_list arguments;                                                                         \
+        va_start(arguments, name);                                                                 \
+        trk_format_list(text, sizeof text, name, arguments);                                       \
+        va_end(arguments);                                                                         \
     } while (0)
 
 int32_t trk_builder_body(trk_builder *builder, int32_t freedoms, double mass, const double *inertia,

@@ -65,8 +65,9 @@ static trk_status find_offsets(trk_context *context, trk_truck_parameters *p, co
         status = trk_curve_solve(context, c->spring[end], -axle[end] * TRK_STANDARD_GRAVITY / 2,
                                  &p->spring_offset[end]);
         if (status == TRK_OK)
-            status = trk_curve_solve(context, c->cab_spring[end],
-                                     -cab[end] * TRK_STANDARD_GRAVITY / 2, &p->cab_spring_offset[end]);
+            status =
+                trk_curve_solve(context, c->cab_spring[end], -cab[end] * TRK_STANDARD_GRAVITY / 2,
+                                &p->cab_spring_offset[end]);
         p->bump_stop_offset[end] = free_length[end] - stop_length[end] + p->spring_offset[end];
     }
     return status;
@@ -125,8 +126,8 @@ static trk_status create_reference(trk_context *context, trk_vehicle vehicle,
     }
 }
 
-trk_status trk_vehicle_create_builtin(trk_context *context, trk_vehicle vehicle, trk_variant variant,
-                                      trk_spec **out_spec)
+trk_status trk_vehicle_create_builtin(trk_context *context, trk_vehicle vehicle,
+                                      trk_variant variant, trk_spec **out_spec)
 {
     TRK_REQUIRE(context, out_spec, "trk_vehicle_create_builtin");
     *out_spec = NULL;

@@ -74,7 +74,8 @@ static void add_wheel(trk_builder *b, const trk_half_car_parameters *p, int32_t 
     double x = pitch ? p->position[k] : 0, y = pitch ? 0 : p->position[k];
     const double place[3] = {x, y, 0};
     const char *end = pitch ? (k == 0 ? "front" : "rear") : (k == 0 ? "left" : "right");
-    int32_t mass = trk_builder_body(b, TRK_FREE_Z, p->unsprung_mass[k], no_inertia, place, "%s", wheel);
+    int32_t mass =
+        trk_builder_body(b, TRK_FREE_Z, p->unsprung_mass[k], no_inertia, place, "%s", wheel);
     int32_t road = trk_builder_road(b, x, y, "%s", end);
 
     trk_link_options tire = vertical(0, road, mass, x, y);
@@ -98,7 +99,8 @@ static void add_wheel(trk_builder *b, const trk_half_car_parameters *p, int32_t 
 }
 
 trk_status trk_vehicle_create_half_car(trk_context *context,
-                                       const trk_half_car_parameters *parameters, trk_spec **out_spec)
+                                       const trk_half_car_parameters *parameters,
+                                       trk_spec **out_spec)
 {
     TRK_REQUIRE(context, out_spec, "trk_vehicle_create_half_car");
     *out_spec = NULL;

@@ -12,7 +12,7 @@ static const trk_quarter_car_parameters quarter_car = {.struct_size = sizeof qua
 
 static const trk_half_car_parameters half_car = {.struct_size = sizeof half_car,
                                                  .body_mass = 3542.5,
-                                                 .body_inertia = 14242.491,
+                                                 .body_inertia = 14242.489,
                                                  .position = {1.747996, -2.752004},
                                                  .unsprung_mass = {542.3905, 548.7905},
                                                  .spring_stiffness = {222276, 256061.9},

@@ -77,10 +77,9 @@ static void add_bodies(assembly *a)
         cab[k] = share * p->cab_inertia[k];
         frame[k] = share * p->frame_inertia[k];
     }
-    a->cab = trk_builder_body(&a->b,
-                              TRK_FREE_X | flat |
-                                  (a->half ? 0 : TRK_FREE_Y | TRK_FREE_ROLL | TRK_FREE_YAW),
-                              share * p->cab_mass, cab, p->cab_cg, "cab");
+    a->cab = trk_builder_body(
+        &a->b, TRK_FREE_X | flat | (a->half ? 0 : TRK_FREE_Y | TRK_FREE_ROLL | TRK_FREE_YAW),
+        share * p->cab_mass, cab, p->cab_cg, "cab");
     a->frame = trk_builder_body(&a->b, flat | (a->half ? 0 : TRK_FREE_ROLL), share * p->frame_mass,
                                 frame, p->frame_cg, "frame");
     for (int end = 0; end < 2; end++) {
@@ -133,9 +132,8 @@ static void add_cab_mount(assembly *a, int end, int side)
 {
     const trk_truck_parameters *p = a->p;
     const char *front = end_word[end], *left = side_word(a, side);
-    trk_link_options mount =
-        link_at(a->frame, a->cab, 2, p->cab_mount_x[end], side_y(a, side, p->cab_mount_y[end]),
-                p->cab_mount_z[end]);
+    trk_link_options mount = link_at(a->frame, a->cab, 2, p->cab_mount_x[end],
+                                     side_y(a, side, p->cab_mount_y[end]), p->cab_mount_z[end]);
     mount.stiffness = mount_rate(a, p->cab_vertical_stiffness, end, side);
     mount.damping = mount_rate(a, p->cab_vertical_damping, end, side);
     mount.spring_curve = p->cab_spring_curve[end];
@@ -144,9 +142,9 @@ static void add_cab_mount(assembly *a, int end, int side)
     mount.damper_scale = p->cab_damper_scale[end];
     trk_builder_link(&a->b, &mount, "cab_%s_%svertical", front, left);
 
-    trk_link_options arm = link_at(a->frame, a->cab, 0, p->cab_longitudinal_x[end],
-                                   side_y(a, side, p->cab_longitudinal_y[end]),
-                                   p->cab_longitudinal_z[end]);
+    trk_link_options arm =
+        link_at(a->frame, a->cab, 0, p->cab_longitudinal_x[end],
+                side_y(a, side, p->cab_longitudinal_y[end]), p->cab_longitudinal_z[end]);
     arm.stiffness = mount_rate(a, p->cab_longitudinal_stiffness, end, side);
     arm.damping = mount_rate(a, p->cab_longitudinal_damping, end, side);
     trk_builder_link(&a->b, &arm, "cab_%s_%slongitudinal", front, left);
@@ -182,8 +180,8 @@ static void add_sensors(assembly *a, int32_t tire[2][2])
     add_accelerometers(a, a->cab, x[TRK_REAR], y[TRK_REAR], z[TRK_REAR], "yz", "cab_rear");
     add_accelerometers(a, a->frame, x[TRK_FRONT], y[TRK_FRONT], z[TRK_FRONT], "xyz", "frame_front");
     add_accelerometers(a, a->frame, x[TRK_REAR], y[TRK_REAR], z[TRK_REAR], "yz", "frame_rear");
-    add_accelerometers(a, a->frame, p->axle_x[TRK_REAR], p->spring_y[TRK_REAR], p->frame_cg[2], "yz",
-                       "frame_rear_axle");
+    add_accelerometers(a, a->frame, p->axle_x[TRK_REAR], p->spring_y[TRK_REAR], p->frame_cg[2],
+                       "yz", "frame_rear_axle");
     for (int end = 0; end < 2; end++)
         add_accelerometers(a, a->axle[end], p->axle_x[end], p->spring_y[end], p->axle_z[end], "z",
                            end == TRK_FRONT ? "front_axle" : "rear_axle");
