@@ -121,9 +121,11 @@ trk_status trk_series_write_csv(trk_context *context, const trk_series *series, 
         w.error = errno;
     }
     trk_status status = TRK_OK;
-    if (w.error)
-        status =
-            trk_fail(context, TRK_E_FILE, "%s: cannot be written (%s)", path, strerror(w.error));
+    if (w.error) {
+        char reason[256] = "";
+        strerror_r(w.error, reason, sizeof reason);
+        status = trk_fail(context, TRK_E_FILE, "%s: cannot be written (%s)", path, reason);
+    }
     trk_locale_leave(&locale);
     trk_free(context, w.buffer);
     return status;

@@ -8,7 +8,9 @@ from tree import comments_of
 def check(root):
     known = {}
     for path in sorted((root / "docs" / "theory").glob("*.md")):
-        known[path.stem.upper()] = set(re.findall(r"\(([A-Z][A-Z0-9]+\.\d+)\)", path.read_text()))
+        # An equation is numbered at its right, or by the heading of its paragraph.
+        known[path.stem.upper()] = set(
+            re.findall(r"(?:\(|^#+ )([A-Z][A-Z0-9]+\.\d+)\b", path.read_text(), re.M))
     files = [*(root / "include").rglob("*.h"), *(root / "lib").rglob("*.[ch]")]
     for path in sorted(files):
         for line, comment in comments_of(path.read_text()):
