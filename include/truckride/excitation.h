@@ -5,7 +5,7 @@
  *
  * An excitation adds signals to the road inputs and force ports of a model:
  *
- *     u_i(t) = sum gain s(t - delay) + sum gain r(start + speed t + x_i)   (EXC.1)
+ *     u_i(t) = sum gain s(t - delay) + sum gain r(start + speed t + x_i)   (EXCITATION.1)
  *
  * so that several signals on one input are summed, a sign or a delay makes a
  * wheel run against or behind another, and a road profile r over distance reaches
@@ -71,7 +71,9 @@ TRK_API trk_status trk_excitation_add_profile(trk_excitation *excitation, int32_
  *
  * @param port   port id
  * @param signal [N or N m over s] borrowed
- * Further arguments and errors as trk_excitation_add_motion().
+ * @param gain   [-]
+ * @param delay  [s]
+ * Errors as trk_excitation_add_motion().
  */
 TRK_API trk_status trk_excitation_add_load(trk_excitation *excitation, int32_t port,
                                            const trk_signal *signal, double gain,

@@ -48,7 +48,8 @@ TRK_API void trk_model_options_init(trk_model_options *options, size_t struct_si
  * @param out_model owned by caller; NULL on failure
  * @retval TRK_E_ARGUMENT    a pointer is NULL
  * @retval TRK_E_OPTIONS     options come from a newer header and set an unknown field
- * @retval TRK_E_RANGE       gravity is negative or not finite
+ * @retval TRK_E_RANGE       gravity is negative or not finite; a lever arm, an inertia, a weight
+ *                           or a force at rest leaves the range of numbers. The message names it.
  * @retval TRK_E_MODEL       no body; a coordinate without mass or inertia; a coordinate that
  *                           no link acts on; a body not tied to ground or road. The message
  *                           names it.

@@ -8,9 +8,9 @@
 #include <truckride/base.h>
 
 #if defined(__GNUC__)
-#  define TRK_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#define TRK_PRINTF(text, first) __attribute__((format(printf, text, first)))
 #else
-#  define TRK_PRINTF(text, first)
+#define TRK_PRINTF(text, first)
 #endif
 
 /*
@@ -55,8 +55,7 @@ trk_status trk_read_options(trk_context *context, const char *what, const void *
                             void *known, size_t known_size);
 
 /* Copy defaults into the caller's struct of struct_size bytes: the init functions. */
-void trk_write_defaults(void *options, size_t struct_size, const void *defaults,
-                        size_t known_size);
+void trk_write_defaults(void *options, size_t struct_size, const void *defaults, size_t known_size);
 
 /* Copy a struct of this library to the caller's, whose struct_size is set: the get functions.
  * TRK_E_OPTIONS when it is not. */
@@ -77,10 +76,10 @@ int trk_format(char *out, size_t size, const char *format, ...) TRK_PRINTF(3, 4)
 int trk_format_list(char *out, size_t size, const char *format, va_list arguments);
 
 /* NULL pointer arguments end here: TRK_REQUIRE(context, x, "trk_curve_create"). */
-#define TRK_REQUIRE(context, argument, function)                                              \
-    do {                                                                                      \
-        if (!(argument))                                                                      \
-            return trk_fail((context), TRK_E_ARGUMENT, function ": " #argument " is NULL");   \
+#define TRK_REQUIRE(context, argument, function)                                                   \
+    do {                                                                                           \
+        if (!(argument))                                                                           \
+            return trk_fail((context), TRK_E_ARGUMENT, function ": " #argument " is NULL");        \
     } while (0)
 
 #endif

@@ -60,10 +60,12 @@ int64_t trk_context_blocks(const trk_context *context)
 trk_status trk_fail(trk_context *context, trk_status status, const char *format, ...)
 {
     if (context) {
+        char text[TRK_MESSAGE_SIZE]; /* the last message may be among the arguments */
         va_list arguments;
         va_start(arguments, format);
-        trk_format_list(context->message, sizeof context->message, format, arguments);
+        trk_format_list(text, sizeof text, format, arguments);
         va_end(arguments);
+        memcpy(context->message, text, sizeof text);
     }
     return status;
 }

@@ -21,7 +21,8 @@ void *trk_new(trk_context *context, int64_t count, size_t element_size)
 {
     const size_t overhead = ALIGNMENT + sizeof(header);
     if (count < 0 || (element_size && (uint64_t)count > (PTRDIFF_MAX - overhead) / element_size)) {
-        trk_fail(context, TRK_E_MEMORY, "out of memory: %lld elements of %zu bytes exceed the address space",
+        trk_fail(context, TRK_E_MEMORY,
+                 "out of memory: %lld elements of %zu bytes exceed the address space",
                  (long long)count, element_size);
         return NULL;
     }

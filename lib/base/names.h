@@ -6,11 +6,11 @@
 #include "base/base.h"
 
 typedef struct trk_names {
-    char **text;       /* text[id - 1]                                        */
+    char **text; /* text[id - 1]                                        */
     int32_t count;
-    int64_t capacity;  /* of text                                             */
-    int32_t *bucket;   /* open addressing: id, or 0 for an empty place         */
-    int32_t buckets;   /* a power of two, more than twice count; 0 when empty */
+    int64_t capacity; /* of text                                             */
+    int32_t *bucket;  /* open addressing: id, or 0 for an empty place         */
+    int32_t buckets;  /* a power of two, more than twice count; 0 when empty */
 } trk_names;
 
 /* Append a name; `what` is the kind of part in messages. TRK_E_NAME: empty or taken. */

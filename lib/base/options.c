@@ -19,14 +19,14 @@ trk_status trk_read_options(trk_context *context, const char *what, const void *
     memcpy(&given, options, sizeof given);
     if (!plausible(given))
         return trk_fail(context, TRK_E_OPTIONS,
-                        "%s: struct_size is %zu; call its init function with sizeof the struct", what,
-                        given);
+                        "%s: struct_size is %zu; call its init function with sizeof the struct",
+                        what, given);
     const unsigned char *bytes = options;
     for (size_t k = known_size; k < given; k++)
         if (bytes[k])
             return trk_fail(context, TRK_E_OPTIONS,
-                            "%s: byte %zu is set, but this library (%s) knows only %zu bytes", what, k,
-                            trk_version_text(), known_size);
+                            "%s: byte %zu is set, but this library (%s) knows only %zu bytes", what,
+                            k, trk_version_text(), known_size);
     memcpy(known, options, given < known_size ? given : known_size);
     memcpy(known, &known_size, sizeof known_size);
     return TRK_OK;

@@ -5,7 +5,7 @@
 const char *trk_status_text(trk_status status)
 {
     switch (status) {
-#define TRK_STATUS_CASE(name, value, text) \
+#define TRK_STATUS_CASE(name, value, text)                                                         \
     case value: return text;
         TRK_STATUS_LIST(TRK_STATUS_CASE)
 #undef TRK_STATUS_CASE

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Signals routed to road inputs and force ports (EXC.1). */
-#include "base/base.h"
+/* Signals routed to road inputs and force ports (EXCITATION.1). */
+#include "signal/signal.h"
 
 #include <truckride/excitation.h>
 
@@ -49,7 +49,8 @@ trk_status trk_excitation_create(trk_context *context, const trk_model *model,
         return TRK_E_MEMORY;
     }
     for (int32_t k = 0; k < excitation->roads; k++)
-        (void)!trk_model_get_road_place(model, k + 1, &excitation->road_x[k], &excitation->road_y[k]);
+        (void)!trk_model_get_road_place(model, k + 1, &excitation->road_x[k],
+                                        &excitation->road_y[k]);
     *out_excitation = excitation;
     return TRK_OK;
 }
@@ -72,9 +73,9 @@ static trk_status reserve(trk_excitation *excitation, int32_t more)
         trk_grow(excitation->context, (void **)&excitation->sources, &excitation->source_capacity,
                  (int64_t)excitation->source_count + more, sizeof *excitation->sources);
     if (status == TRK_OK)
-        status = trk_grow(excitation->context, (void **)&excitation->routes,
-                          &excitation->route_capacity, (int64_t)excitation->route_count + more,
-                          sizeof *excitation->routes);
+        status =
+            trk_grow(excitation->context, (void **)&excitation->routes, &excitation->route_capacity,
+                     (int64_t)excitation->route_count + more, sizeof *excitation->routes);
     return status;
 }
 
@@ -98,18 +99,20 @@ static bool selects(int32_t road, int32_t k, double y)
            (road == TRK_ROAD_RIGHT && y < 0);
 }
 
-static trk_status check(const trk_excitation *excitation, const char *what, int32_t id, int32_t first,
-                        int32_t count, double gain, double argument)
+/* `shift` is the delay or the start. */
+static trk_status check(const trk_excitation *excitation, const char *what, int32_t id,
+                        int32_t first, int32_t count, double gain, const char *shift_name,
+                        double shift)
 {
     if (id < first || id > count || id == 0)
-        return trk_fail(excitation->context, TRK_E_ARGUMENT, "excitation: there is no %s %d (1 to %d)",
-                        what, id, count);
+        return trk_fail(excitation->context, TRK_E_ARGUMENT,
+                        "excitation: there is no %s %d (1 to %d)", what, id, count);
     if (!isfinite(gain))
         return trk_fail(excitation->context, TRK_E_RANGE,
                         "excitation: gain is %g; a finite number is needed", gain);
-    if (!isfinite(argument))
+    if (!isfinite(shift))
         return trk_fail(excitation->context, TRK_E_RANGE,
-                        "excitation: delay or start is %g; a finite number is needed", argument);
+                        "excitation: %s is %g; a finite number is needed", shift_name, shift);
     return TRK_OK;
 }
 
@@ -117,10 +120,7 @@ static trk_status check(const trk_excitation *excitation, const char *what, int3
 static trk_status add_roads(trk_excitation *excitation, int32_t road, const trk_signal *signal,
                             double gain, double offset, double along, double rate)
 {
-    trk_status status =
-        check(excitation, "road", road, TRK_ROAD_RIGHT, excitation->roads, gain, offset);
-    if (status == TRK_OK)
-        status = reserve(excitation, excitation->roads);
+    trk_status status = reserve(excitation, excitation->roads);
     if (status != TRK_OK)
         return status;
     for (int32_t k = 0; k < excitation->roads; k++)
@@ -129,12 +129,20 @@ static trk_status add_roads(trk_excitation *excitation, int32_t road, const trk_
     return TRK_OK;
 }
 
+static trk_status check_road(const trk_excitation *excitation, int32_t road, double gain,
+                             const char *shift_name, double shift)
+{
+    return check(excitation, "road", road, TRK_ROAD_RIGHT, excitation->roads, gain, shift_name,
+                 shift);
+}
+
 trk_status trk_excitation_add_motion(trk_excitation *excitation, int32_t road,
                                      const trk_signal *signal, double gain, double delay)
 {
     TRK_REQUIRE(NULL, excitation, "trk_excitation_add_motion");
     TRK_REQUIRE(excitation->context, signal, "trk_excitation_add_motion");
-    return add_roads(excitation, road, signal, gain, -delay, 0, 1);
+    trk_status status = check_road(excitation, road, gain, "delay", delay);
+    return status == TRK_OK ? add_roads(excitation, road, signal, gain, -delay, 0, 1) : status;
 }
 
 trk_status trk_excitation_add_profile(trk_excitation *excitation, int32_t road,
@@ -146,7 +154,8 @@ trk_status trk_excitation_add_profile(trk_excitation *excitation, int32_t road,
     if (!isfinite(speed) || speed <= 0)
         return trk_fail(excitation->context, TRK_E_RANGE,
                         "excitation: speed is %g m/s; a finite number > 0 is needed", speed);
-    return add_roads(excitation, road, profile, gain, start, 1, speed);
+    trk_status status = check_road(excitation, road, gain, "start", start);
+    return status == TRK_OK ? add_roads(excitation, road, profile, gain, start, 1, speed) : status;
 }
 
 trk_status trk_excitation_add_load(trk_excitation *excitation, int32_t port,
@@ -154,7 +163,8 @@ trk_status trk_excitation_add_load(trk_excitation *excitation, int32_t port,
 {
     TRK_REQUIRE(NULL, excitation, "trk_excitation_add_load");
     TRK_REQUIRE(excitation->context, signal, "trk_excitation_add_load");
-    trk_status status = check(excitation, "force port", port, 1, excitation->ports, gain, delay);
+    trk_status status =
+        check(excitation, "force port", port, 1, excitation->ports, gain, "delay", delay);
     if (status == TRK_OK)
         status = reserve(excitation, 1);
     if (status == TRK_OK)
@@ -180,11 +190,36 @@ static void spread(int64_t count, double gain, const double *values, int32_t str
         out[k * stride + target] += gain * values[k];
 }
 
-void trk_excitation_evaluate(const trk_excitation *excitation, int64_t count, double start,
-                             double step, double *out_height, double *out_velocity, double *out_load)
+/* Values of one block, count <= TRK_SIGNAL_BLOCK, added to rows of roads, roads and ports. */
+static void add_block(const trk_excitation *excitation, int64_t count, const double *t,
+                      double *height, double *velocity, double *load)
 {
-    enum { CHUNK = 256 };
-    double value[CHUNK], rate[CHUNK];
+    double x[TRK_SIGNAL_BLOCK], value[TRK_SIGNAL_BLOCK], rate[TRK_SIGNAL_BLOCK];
+    int32_t roads = excitation->roads, ports = excitation->ports;
+    for (int32_t k = 0; k < excitation->source_count; k++) {
+        const source *s = &excitation->sources[k];
+        for (int64_t j = 0; j < count; j++)
+            x[j] = s->offset + s->rate * t[j];
+        s->signal->kind->evaluate(s->signal, count, x, value, rate);
+        for (int32_t r = 0; r < excitation->route_count; r++) {
+            const route *to = &excitation->routes[r];
+            if (to->source != k)
+                continue;
+            if (to->target < roads) {
+                spread(count, to->gain, value, roads, to->target, height);
+                spread(count, to->gain * s->rate, rate, roads, to->target, velocity);
+            } else {
+                spread(count, to->gain, value, ports, to->target - roads, load);
+            }
+        }
+    }
+}
+
+void trk_excitation_evaluate(const trk_excitation *excitation, int64_t count, double start,
+                             double step, double *out_height, double *out_velocity,
+                             double *out_load)
+{
+    double t[TRK_SIGNAL_BLOCK];
     if (!excitation || count < 1)
         return;
     int32_t roads = excitation->roads, ports = excitation->ports;
@@ -194,27 +229,13 @@ void trk_excitation_evaluate(const trk_excitation *excitation, int64_t count, do
         memset(out_velocity, 0, (size_t)count * (size_t)roads * sizeof *out_velocity);
     if (out_load)
         memset(out_load, 0, (size_t)count * (size_t)ports * sizeof *out_load);
-    for (int64_t first = 0; first < count; first += CHUNK) {
-        int64_t length = count - first < CHUNK ? count - first : CHUNK;
-        double *height = out_height ? out_height + first * roads : NULL;
-        double *velocity = out_velocity ? out_velocity + first * roads : NULL;
-        double *load = out_load ? out_load + first * ports : NULL;
-        for (int32_t k = 0; k < excitation->source_count; k++) {
-            const source *s = &excitation->sources[k];
-            trk_signal_evaluate(s->signal, length,
-                                s->offset + s->rate * (start + (double)first * step), s->rate * step,
-                                value, rate);
-            for (int32_t r = 0; r < excitation->route_count; r++) {
-                const route *to = &excitation->routes[r];
-                if (to->source != k)
-                    continue;
-                if (to->target < roads) {
-                    spread(length, to->gain, value, roads, to->target, height);
-                    spread(length, to->gain * s->rate, rate, roads, to->target, velocity);
-                } else {
-                    spread(length, to->gain, value, ports, to->target - roads, load);
-                }
-            }
-        }
+    for (int64_t first = 0; first < count; first += TRK_SIGNAL_BLOCK) {
+        int64_t length = count - first < TRK_SIGNAL_BLOCK ? count - first : TRK_SIGNAL_BLOCK;
+        /* Values depend on their time alone, not on the place in a block. */
+        for (int64_t j = 0; j < length; j++)
+            t[j] = start + (double)(first + j) * step;
+        add_block(excitation, length, t, out_height ? out_height + first * roads : NULL,
+                  out_velocity ? out_velocity + first * roads : NULL,
+                  out_load ? out_load + first * ports : NULL);
     }
 }

@@ -16,11 +16,11 @@
 #include <truckride/curve.h>
 
 typedef struct trk_law {
-    double stiffness, damping;             /* k [N/m, N m/rad], c [N s/m, N m s/rad] */
-    trk_curve *spring, *damper;            /* owned; NULL: none                      */
-    double spring_scale, damper_scale;     /* a_s, a_d [-]                           */
-    double spring_offset;                  /* e_0 [m, rad]                           */
-    double rest;                           /* g_rest [N, N m]                        */
+    double stiffness, damping;         /* k [N/m, N m/rad], c [N s/m, N m s/rad] */
+    trk_curve *spring, *damper;        /* owned; NULL: none                      */
+    double spring_scale, damper_scale; /* a_s, a_d [-]                           */
+    double spring_offset;              /* e_0 [m, rad]                           */
+    double rest;                       /* g_rest [N, N m]                        */
 } trk_law;
 
 /* Where the last evaluation stood on the curves; any value is valid. */

@@ -19,8 +19,9 @@ typedef struct open_row {
  * Add sign times the motion of a body point along a unit direction d (SPEC.1):
  * d . (u_cg + theta x r) = d . u_cg + (r x d) . theta, with r = point - cg.
  */
-static void add_motion(const trk_model *model, const trk_spec *spec, int32_t body, trk_motion motion,
-                       const double *point, const double *d, double sign, open_row *row)
+static void add_motion(const trk_model *model, const trk_spec *spec, int32_t body,
+                       trk_motion motion, const double *point, const double *d, double sign,
+                       open_row *row)
 {
     double coefficient[TRK_FREEDOMS] = {0};
     const double *cg = spec->bodies[body - 1].cg;
@@ -69,8 +70,8 @@ static trk_status number_coordinates(trk_model *model, const trk_spec *spec)
                 continue;
             char name[TRK_NAME_LENGTH + 8];
             snprintf(name, sizeof name, "%s.%s", spec->names[TRK_PART_BODY].text[b], suffix[k]);
-            trk_status status =
-                trk_names_add(model->context, &model->names[TRK_PART_COORDINATE], "coordinate", name);
+            trk_status status = trk_names_add(model->context, &model->names[TRK_PART_COORDINATE],
+                                              "coordinate", name);
             if (status != TRK_OK)
                 return status;
             model->is_rotation[model->n] = k >= 3;
@@ -92,7 +93,8 @@ static trk_status add_inertia(trk_model *model, const open_row *row, double mass
         return status;
     model->mass[model->inertia.count - 1] = mass;
     if (vertical)
-        trk_rows_add(&model->inertia, model->inertia.count - 1, -mass * model->gravity, model->weight);
+        trk_rows_add(&model->inertia, model->inertia.count - 1, -mass * model->gravity,
+                     model->weight);
     return TRK_OK;
 }
 
@@ -105,8 +107,8 @@ static trk_status build_inertia(trk_model *model, const trk_spec *spec)
         const trk_body_options *body = &spec->bodies[b - 1];
         for (int k = 0; status == TRK_OK && k < TRK_FREEDOMS; k++) {
             open_row row = {0};
-            add_motion(model, spec, b, k < 3 ? TRK_MOTION_TRANSLATION : TRK_MOTION_ROTATION, body->cg,
-                       axis[k % 3], 1, &row);
+            add_motion(model, spec, b, k < 3 ? TRK_MOTION_TRANSLATION : TRK_MOTION_ROTATION,
+                       body->cg, axis[k % 3], 1, &row);
             status = add_inertia(model, &row, k < 3 ? body->mass : body->inertia[k - 3], k == 2);
         }
     }
@@ -114,7 +116,8 @@ static trk_status build_inertia(trk_model *model, const trk_spec *spec)
         const trk_point_mass *mass = &spec->masses[m];
         for (int k = 0; status == TRK_OK && k < 3; k++) {
             open_row row = {0};
-            add_motion(model, spec, mass->body, TRK_MOTION_TRANSLATION, mass->point, axis[k], 1, &row);
+            add_motion(model, spec, mass->body, TRK_MOTION_TRANSLATION, mass->point, axis[k], 1,
+                       &row);
             status = add_inertia(model, &row, mass->mass, k == 2);
         }
     }
@@ -244,8 +247,8 @@ trk_status trk_model_build(trk_model *model, const trk_spec *spec)
         return status;
     model->weight = trk_new(model->context, model->n, sizeof *model->weight);
     model->static_q = trk_new(model->context, model->n, sizeof *model->static_q);
-    model->static_force = trk_new(model->context, trk_spec_count(spec, TRK_PART_LINK),
-                                  sizeof *model->static_force);
+    model->static_force =
+        trk_new(model->context, trk_spec_count(spec, TRK_PART_LINK), sizeof *model->static_force);
     if (!model->weight || !model->static_q || !model->static_force)
         return TRK_E_MEMORY;
     status = build_inertia(model, spec);

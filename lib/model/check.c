@@ -1,11 +1,59 @@
 /* SPDX-License-Identifier: MIT */
-/* Is the model complete? Every coordinate has inertia and is held, every body is tied down. */
+/* Is the model complete? Numbers fit, coordinates have inertia and are held, bodies are tied. */
 #include "model/model.h"
 
 #include "spec/spec.h"
 #include "system/assembly.h"
 
 #include <math.h>
+
+/* Lever arms are differences of points: huge ones overflow. */
+static trk_status check_rows(const trk_model *model, const trk_rows *rows, trk_part part)
+{
+    for (int32_t r = 0; r < rows->count; r++)
+        for (int64_t k = rows->start[r]; k < rows->start[r + 1]; k++)
+            if (!isfinite(rows->value[k]))
+                return trk_fail(
+                    model->context, TRK_E_RANGE,
+                    "%s '%s': the lever arm about '%s' is %g; a finite number is needed",
+                    trk_part_word(part), trk_names_text(&model->names[part], r + 1),
+                    trk_names_text(&model->names[TRK_PART_COORDINATE], rows->column[k] + 1),
+                    rows->value[k]);
+    return TRK_OK;
+}
+
+static trk_status check_inertia(const trk_model *model)
+{
+    for (int32_t r = 0; r < model->inertia.count; r++)
+        for (int64_t k = model->inertia.start[r]; k < model->inertia.start[r + 1]; k++) {
+            int32_t i = model->inertia.column[k];
+            double square = model->mass[r] * model->inertia.value[k] * model->inertia.value[k];
+            if (!isfinite(square) || !isfinite(model->weight[i]))
+                return trk_fail(
+                    model->context, TRK_E_RANGE,
+                    "coordinate '%s': its inertia %g or weight %g is not a finite number",
+                    trk_names_text(&model->names[TRK_PART_COORDINATE], i + 1), square,
+                    model->weight[i]);
+        }
+    return TRK_OK;
+}
+
+trk_status trk_model_check_numbers(const trk_model *model)
+{
+    trk_status status = check_rows(model, &model->links, TRK_PART_LINK);
+    if (status == TRK_OK)
+        status = check_rows(model, &model->ports, TRK_PART_PORT);
+    if (status == TRK_OK)
+        status = check_rows(model, &model->sensors, TRK_PART_SENSOR);
+    if (status == TRK_OK)
+        status = check_inertia(model);
+    for (int32_t k = 0; status == TRK_OK && k < model->links.count; k++)
+        if (!isfinite(trk_law_force(&model->laws[k], 0, 0)))
+            status = trk_fail(model->context, TRK_E_RANGE,
+                              "link '%s': the force of its curves at e = 0 is not a finite number",
+                              trk_names_text(&model->names[TRK_PART_LINK], k + 1));
+    return status;
+}
 
 /* Can the link ever carry a force? */
 static bool carries(const trk_link_options *link)
@@ -34,13 +82,15 @@ static trk_status check_bodies(const trk_model *model, const trk_spec *spec)
         parent[b] = b;
     for (int32_t k = 0; k < trk_spec_count(spec, TRK_PART_LINK); k++)
         if (carries(&spec->links[k]))
-            parent[root_of(parent, spec->links[k].from_body)] = root_of(parent, spec->links[k].to_body);
+            parent[root_of(parent, spec->links[k].from_body)] =
+                root_of(parent, spec->links[k].to_body);
     trk_status status = TRK_OK;
     for (int32_t b = 1; status == TRK_OK && b <= bodies; b++)
         if (root_of(parent, b) != root_of(parent, 0))
-            status = trk_fail(model->context, TRK_E_MODEL,
-                              "body '%s' is not supported: no chain of links ties it to the ground or a road",
-                              trk_spec_part_name(spec, TRK_PART_BODY, b));
+            status = trk_fail(
+                model->context, TRK_E_MODEL,
+                "body '%s' is not supported: no chain of links ties it to the ground or a road",
+                trk_spec_part_name(spec, TRK_PART_BODY, b));
     trk_free(model->context, parent);
     return status;
 }
@@ -116,7 +166,8 @@ trk_status trk_model_fail_singular(trk_context *context, const trk_model *model,
     if (link < 0)
         return trk_fail(context, TRK_E_SINGULAR,
                         "the %s is not positive definite: nothing holds coordinate '%s'", what, at);
-    return trk_fail(context, TRK_E_SINGULAR,
-                    "the %s is not positive definite at coordinate '%s': link '%s' adds %g, a negative value",
-                    what, at, trk_names_text(&model->names[TRK_PART_LINK], link + 1), s[link]);
+    return trk_fail(
+        context, TRK_E_SINGULAR,
+        "the %s is not positive definite at coordinate '%s': link '%s' adds %g, a negative value",
+        what, at, trk_names_text(&model->names[TRK_PART_LINK], link + 1), s[link]);
 }

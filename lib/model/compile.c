@@ -14,6 +14,8 @@ void trk_model_options_init(trk_model_options *options, size_t struct_size)
 static trk_status compile(trk_model *model, const trk_spec *spec, const trk_model_options *options)
 {
     trk_status status = trk_model_build(model, spec);
+    if (status == TRK_OK)
+        status = trk_model_check_numbers(model);
     if (status == TRK_OK && !options->allow_free)
         status = trk_model_check_ties(model, spec);
     if (status == TRK_OK)
@@ -70,12 +72,11 @@ void trk_model_destroy(trk_model *model)
     trk_rows_clear(context, &model->roads);
     trk_rows_clear(context, &model->ports);
     trk_rows_clear(context, &model->sensors);
-    void *blocks[] = {model->name,          model->coordinate,    model->is_rotation,
-                      model->mass,          model->weight,        model->laws,
-                      model->link_motion,   model->nonlinear,     model->port_motion,
-                      model->sensor_motion, model->sensor_quantity, model->sensor_link,
-                      model->road_x,        model->road_y,        model->static_q,
-                      model->static_force};
+    void *blocks[] = {
+        model->name,        model->coordinate,    model->is_rotation,     model->mass,
+        model->weight,      model->laws,          model->link_motion,     model->nonlinear,
+        model->port_motion, model->sensor_motion, model->sensor_quantity, model->sensor_link,
+        model->road_x,      model->road_y,        model->static_q,        model->static_force};
     for (size_t k = 0; k < sizeof blocks / sizeof *blocks; k++)
         trk_free(context, blocks[k]);
     trk_free(context, model);

@@ -13,33 +13,34 @@ enum { TRK_FREEDOMS = 6 }; /* x, y, z, roll, pitch, yaw of a body */
 struct trk_model {
     trk_context *context;
     char *name;
-    double gravity;                            /* [m/s^2]                               */
-    trk_names names[TRK_PART_COORDINATE + 1];  /* by trk_part                           */
-    int32_t n;                                 /* coordinates                           */
-    int32_t (*coordinate)[TRK_FREEDOMS];       /* by body: 0-based coordinate or -1     */
-    bool *is_rotation;                         /* by coordinate                         */
-    trk_rows inertia;                          /* A of (MODEL.3)                        */
-    double *mass;                              /* m of (MODEL.3), by row of A           */
+    double gravity;                           /* [m/s^2]                               */
+    trk_names names[TRK_PART_COORDINATE + 1]; /* by trk_part                           */
+    int32_t n;                                /* coordinates                           */
+    int32_t (*coordinate)[TRK_FREEDOMS];      /* by body: 0-based coordinate or -1     */
+    bool *is_rotation;                        /* by coordinate                         */
+    trk_rows inertia;                         /* A of (MODEL.3)                        */
+    double *mass;                             /* m of (MODEL.3), by row of A           */
     int64_t mass_capacity;
-    double *weight;                            /* w of (MODEL.2) [N, N m], length n     */
-    trk_rows links;                            /* B of (MODEL.1)                        */
-    trk_rows roads;                            /* G of (MODEL.1), a row a link          */
-    trk_law *laws;                             /* by link                               */
-    trk_motion *link_motion;                   /* by link                               */
-    int32_t nonlinear_count, *nonlinear;       /* 0-based links with a curve            */
-    trk_rows ports;                            /* P^T of (MODEL.2), a row a port        */
-    trk_motion *port_motion;                   /* by port                               */
-    trk_rows sensors;                          /* a row a sensor; empty if of a link    */
-    trk_quantity *sensor_quantity;             /* by sensor                             */
-    trk_motion *sensor_motion;                 /* by sensor                             */
-    int32_t *sensor_link;                      /* by sensor: 0-based link, -1: a body's */
-    double *road_x, *road_y;                   /* by road input [m]                     */
-    double *static_q;                          /* length n                              */
-    double *static_force;                      /* by link [N, N m]                      */
+    double *weight;                      /* w of (MODEL.2) [N, N m], length n     */
+    trk_rows links;                      /* B of (MODEL.1)                        */
+    trk_rows roads;                      /* G of (MODEL.1), a row a link          */
+    trk_law *laws;                       /* by link                               */
+    trk_motion *link_motion;             /* by link                               */
+    int32_t nonlinear_count, *nonlinear; /* 0-based links with a curve            */
+    trk_rows ports;                      /* P^T of (MODEL.2), a row a port        */
+    trk_motion *port_motion;             /* by port                               */
+    trk_rows sensors;                    /* a row a sensor; empty if of a link    */
+    trk_quantity *sensor_quantity;       /* by sensor                             */
+    trk_motion *sensor_motion;           /* by sensor                             */
+    int32_t *sensor_link;                /* by sensor: 0-based link, -1: a body's */
+    double *road_x, *road_y;             /* by road input [m]                     */
+    double *static_q;                    /* length n                              */
+    double *static_force;                /* by link [N, N m]                      */
 };
 
 /* Compile steps, in this order; each returns with the message recorded. */
 trk_status trk_model_build(trk_model *model, const trk_spec *spec);
+trk_status trk_model_check_numbers(const trk_model *model);
 trk_status trk_model_check_ties(const trk_model *model, const trk_spec *spec);
 trk_status trk_model_check_mass(const trk_model *model);
 trk_status trk_model_solve_static(trk_model *model);

@@ -32,8 +32,8 @@ const char *trk_model_part_name(const trk_model *model, trk_part part, int32_t i
 
 static const char *sensor_unit(trk_quantity quantity, bool rotation)
 {
-    static const char *const units[][2] = {{"m", "rad"},         {"m/s", "rad/s"}, {"m/s^2", "rad/s^2"},
-                                           {"m", "rad"},         {"m/s", "rad/s"}, {"N", "N m"}};
+    static const char *const units[][2] = {{"m", "rad"}, {"m/s", "rad/s"}, {"m/s^2", "rad/s^2"},
+                                           {"m", "rad"}, {"m/s", "rad/s"}, {"N", "N m"}};
     return units[quantity][rotation];
 }
 
@@ -121,7 +121,8 @@ void trk_model_get_tangent(const trk_model *model, const double *q, const double
     }
 }
 
-trk_status trk_model_get_link_row(const trk_model *model, int32_t link, double *out_b, double *out_g)
+trk_status trk_model_get_link_row(const trk_model *model, int32_t link, double *out_b,
+                                  double *out_g)
 {
     if (!out_b || link < 1 || link > trk_model_count(model, TRK_PART_LINK))
         return TRK_E_ARGUMENT;
@@ -149,6 +150,8 @@ trk_status trk_model_get_row(const trk_model *model, trk_part part, int32_t id, 
 void trk_model_get_link_force(const trk_model *model, const double *e, const double *rate,
                               double *out_force)
 {
-    for (int32_t k = 0; model && k < model->links.count; k++)
+    if (!model || !e || !rate || !out_force)
+        return;
+    for (int32_t k = 0; k < model->links.count; k++)
         out_force[k] = trk_law_force(&model->laws[k], e[k], rate[k]);
 }

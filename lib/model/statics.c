@@ -45,7 +45,8 @@ static trk_status direction(trk_model *model, trk_assembly *assembly, statics *s
     int32_t bad = 0;
     trk_status status = trk_assembly_factorize(assembly, 0, s->tangent, &bad);
     if (status == TRK_E_SINGULAR)
-        return trk_model_fail_singular(model->context, model, "stiffness under gravity", s->tangent, bad);
+        return trk_model_fail_singular(model->context, model, "stiffness under gravity", s->tangent,
+                                       bad);
     memcpy(s->step, s->residual, (size_t)model->n * sizeof *s->step);
     return status == TRK_OK ? trk_solver_solve(assembly->solver, s->step) : status;
 }
@@ -69,25 +70,25 @@ static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
         if (!(smaller < size))
             return size <= 1e-11 * scale
                        ? TRK_OK
-                       : trk_fail(model->context, TRK_E_CONVERGENCE,
-                                  "no static equilibrium found: %g N out of balance, largest force %g N",
-                                  size, scale);
+                       : trk_fail(
+                             model->context, TRK_E_CONVERGENCE,
+                             "no static equilibrium found: %g N out of balance, largest force %g N",
+                             size, scale);
         size = smaller;
         memcpy(s->q, s->trial, (size_t)model->n * sizeof *s->q);
         if (size <= 4 * DBL_EPSILON * scale)
             return TRK_OK;
     }
     return trk_fail(model->context, TRK_E_CONVERGENCE,
-                    "no static equilibrium found in %d iterations: %g N out of balance", MAX_ITERATIONS,
-                    size);
+                    "no static equilibrium found in %d iterations: %g N out of balance",
+                    MAX_ITERATIONS, size);
 }
 
 static trk_status solve(trk_model *model, statics *s)
 {
     trk_assembly assembly;
-    trk_status status =
-        trk_assembly_create(model->context, TRK_BACKEND_AUTO, model->n, &model->inertia, model->mass,
-                            &model->links, &assembly);
+    trk_status status = trk_assembly_create(model->context, TRK_BACKEND_AUTO, model->n,
+                                            &model->inertia, model->mass, &model->links, &assembly);
     if (status != TRK_OK)
         return status;
     status = iterate(model, &assembly, s);

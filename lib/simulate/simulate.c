@@ -22,13 +22,13 @@ typedef struct run {
     const trk_model *model;
     const trk_excitation *excitation;
     trk_simulate_options options;
-    double step;                          /* [s]                              */
+    double step; /* [s]                              */
     int64_t steps;
     trk_newmark *stepper;
     trk_series *series;
-    double **channel;                     /* samples of each sensor           */
-    double *values;                       /* of all sensors now               */
-    double *height, *velocity, *load;     /* BLOCK x roads, roads, ports      */
+    double **channel;                 /* samples of each sensor           */
+    double *values;                   /* of all sensors now               */
+    double *height, *velocity, *load; /* BLOCK x roads, roads, ports      */
     trk_progress progress;
     void *user;
 } run;
@@ -55,19 +55,22 @@ static trk_status check(run *r, const trk_simulate_options *options)
                         (long long)r->options.record_every);
     double steps = round(r->options.duration / r->step);
     if (steps < 1 || steps > 1e15)
-        return trk_fail(context, TRK_E_RANGE,
-                        "trk_simulate_options: duration %g s is %g steps of %g s; 1 to 1e15 are needed",
-                        r->options.duration, r->options.duration / r->step, r->step);
+        return trk_fail(
+            context, TRK_E_RANGE,
+            "trk_simulate_options: duration %g s is %g steps of %g s; 1 to 1e15 are needed",
+            r->options.duration, r->options.duration / r->step, r->step);
     r->steps = (int64_t)steps;
     if (trk_excitation_roads(r->excitation) != trk_model_count(r->model, TRK_PART_ROAD) ||
         trk_excitation_ports(r->excitation) != trk_model_count(r->model, TRK_PART_PORT))
         return trk_fail(context, TRK_E_ARGUMENT,
                         "%s: the excitation has %d roads and %d ports, the model %d and %d",
                         trk_model_name(r->model), trk_excitation_roads(r->excitation),
-                        trk_excitation_ports(r->excitation), trk_model_count(r->model, TRK_PART_ROAD),
+                        trk_excitation_ports(r->excitation),
+                        trk_model_count(r->model, TRK_PART_ROAD),
                         trk_model_count(r->model, TRK_PART_PORT));
     if (trk_model_count(r->model, TRK_PART_SENSOR) == 0)
-        return trk_fail(context, TRK_E_MODEL, "%s: the model has no sensor, nothing would be recorded",
+        return trk_fail(context, TRK_E_MODEL,
+                        "%s: the model has no sensor, nothing would be recorded",
                         trk_model_name(r->model));
     return TRK_OK;
 }
@@ -75,9 +78,9 @@ static trk_status check(run *r, const trk_simulate_options *options)
 static trk_status create_series(run *r)
 {
     int32_t sensors = trk_model_count(r->model, TRK_PART_SENSOR);
-    trk_status status = trk_series_create(r->context, sensors, r->steps / r->options.record_every + 1,
-                                          1 / (r->step * (double)r->options.record_every),
-                                          r->options.start, &r->series);
+    trk_status status = trk_series_create(
+        r->context, sensors, r->steps / r->options.record_every + 1,
+        1 / (r->step * (double)r->options.record_every), r->options.start, &r->series);
     for (int32_t k = 1; status == TRK_OK && k <= sensors; k++) {
         status = trk_series_label(r->series, k, trk_model_part_name(r->model, TRK_PART_SENSOR, k),
                                   trk_model_unit(r->model, TRK_PART_SENSOR, k));
@@ -112,7 +115,8 @@ static void record(run *r, int64_t sample)
 /* The steps first + 1 .. first + count, whose excitation lies in the block. */
 static trk_status advance(run *r, int64_t first, int64_t count)
 {
-    int32_t roads = trk_excitation_roads(r->excitation), ports = trk_excitation_ports(r->excitation);
+    int32_t roads = trk_excitation_roads(r->excitation),
+            ports = trk_excitation_ports(r->excitation);
     trk_excitation_evaluate(r->excitation, count, r->options.start + (double)(first + 1) * r->step,
                             r->step, r->height, r->velocity, r->load);
     for (int64_t k = 0; k < count; k++) {
@@ -128,7 +132,8 @@ static trk_status advance(run *r, int64_t first, int64_t count)
 
 static trk_status go(run *r)
 {
-    trk_excitation_evaluate(r->excitation, 1, r->options.start, r->step, r->height, r->velocity, r->load);
+    trk_excitation_evaluate(r->excitation, 1, r->options.start, r->step, r->height, r->velocity,
+                            r->load);
     trk_status status =
         trk_newmark_set_state(r->stepper, r->options.start, r->options.initial_q,
                               r->options.initial_velocity, r->height, r->velocity, r->load);
@@ -158,7 +163,11 @@ trk_status trk_simulate(trk_context *context, const trk_model *model,
     TRK_REQUIRE(context, context, "trk_simulate");
     TRK_REQUIRE(context, model, "trk_simulate");
     TRK_REQUIRE(context, excitation, "trk_simulate");
-    run r = {.context = context, .model = model, .excitation = excitation, .progress = progress, .user = user};
+    run r = {.context = context,
+             .model = model,
+             .excitation = excitation,
+             .progress = progress,
+             .user = user};
     trk_status status = trk_newmark_create(context, model, newmark, &r.stepper);
     if (status != TRK_OK)
         return status;

@@ -71,7 +71,8 @@ trk_status trk_spec_set_body(trk_spec *spec, int32_t body, const trk_body_option
     if (status != TRK_OK)
         return status;
     trk_body_options changed;
-    status = read_body(spec->context, trk_spec_part_name(spec, TRK_PART_BODY, body), options, &changed);
+    status =
+        read_body(spec->context, trk_spec_part_name(spec, TRK_PART_BODY, body), options, &changed);
     if (status == TRK_OK)
         spec->bodies[body - 1] = changed;
     return status;
@@ -87,11 +88,12 @@ trk_status trk_spec_add_mass(trk_spec *spec, const char *name, int32_t body, dou
     if (status != TRK_OK)
         return status;
     if (!isfinite(mass) || mass <= 0)
-        return trk_fail(spec->context, TRK_E_RANGE, "mass '%s': mass is %g; a finite number > 0 is needed",
-                        shown, mass);
+        return trk_fail(spec->context, TRK_E_RANGE,
+                        "mass '%s': mass is %g; a finite number > 0 is needed", shown, mass);
     status = trk_check_finite(spec->context, "mass", shown, "point", 3, point);
     if (status == TRK_OK)
-        status = trk_spec_append(spec, TRK_PART_MASS, name, (void **)&spec->masses, sizeof *spec->masses);
+        status = trk_spec_append(spec, TRK_PART_MASS, name, (void **)&spec->masses,
+                                 sizeof *spec->masses);
     if (status != TRK_OK)
         return status;
     int32_t id = trk_spec_count(spec, TRK_PART_MASS);
@@ -101,8 +103,8 @@ trk_status trk_spec_add_mass(trk_spec *spec, const char *name, int32_t body, dou
     return TRK_OK;
 }
 
-trk_status trk_spec_get_mass(const trk_spec *spec, int32_t mass, int32_t *out_body, double *out_mass,
-                             double *out_point)
+trk_status trk_spec_get_mass(const trk_spec *spec, int32_t mass, int32_t *out_body,
+                             double *out_mass, double *out_point)
 {
     if (mass < 1 || mass > trk_spec_count(spec, TRK_PART_MASS))
         return TRK_E_ARGUMENT;
@@ -116,13 +118,16 @@ trk_status trk_spec_get_mass(const trk_spec *spec, int32_t mass, int32_t *out_bo
     return TRK_OK;
 }
 
-trk_status trk_spec_add_road(trk_spec *spec, const char *name, double x, double y, int32_t *out_road)
+trk_status trk_spec_add_road(trk_spec *spec, const char *name, double x, double y,
+                             int32_t *out_road)
 {
     TRK_REQUIRE(NULL, spec, "trk_spec_add_road");
     double place[2] = {x, y};
-    trk_status status = trk_check_finite(spec->context, "road", name ? name : "", "place", 2, place);
+    trk_status status =
+        trk_check_finite(spec->context, "road", name ? name : "", "place", 2, place);
     if (status == TRK_OK)
-        status = trk_spec_append(spec, TRK_PART_ROAD, name, (void **)&spec->roads, sizeof *spec->roads);
+        status =
+            trk_spec_append(spec, TRK_PART_ROAD, name, (void **)&spec->roads, sizeof *spec->roads);
     if (status != TRK_OK)
         return status;
     int32_t id = trk_spec_count(spec, TRK_PART_ROAD);

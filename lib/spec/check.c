@@ -33,8 +33,8 @@ trk_status trk_check_direction(trk_context *context, const char *what, const cha
     if (isfinite(length) && length > 0)
         return TRK_OK;
     return trk_fail(context, TRK_E_RANGE,
-                    "%s '%s': direction has length %g; any direction but zero is needed", what, name,
-                    length);
+                    "%s '%s': direction has length %g; any direction but zero is needed", what,
+                    name, length);
 }
 
 trk_status trk_check_id(const trk_spec *spec, const char *what, const char *name, trk_part part,
@@ -43,6 +43,7 @@ trk_status trk_check_id(const trk_spec *spec, const char *what, const char *name
     int32_t count = trk_spec_count(spec, part);
     if (id >= 1 && id <= count)
         return TRK_OK;
-    return trk_fail(spec->context, TRK_E_ARGUMENT, "%s '%s': there is no %s %d (ids run from 1 to %d)",
-                    what, name, trk_part_word(part), id, count);
+    return trk_fail(spec->context, TRK_E_ARGUMENT,
+                    "%s '%s': there is no %s %d (ids run from 1 to %d)", what, name,
+                    trk_part_word(part), id, count);
 }

@@ -15,7 +15,8 @@ static trk_status check_ends(const trk_spec *spec, const char *name, const trk_l
     trk_context *context = spec->context;
     trk_status status = TRK_OK;
     if (link->motion != TRK_MOTION_TRANSLATION && link->motion != TRK_MOTION_ROTATION)
-        return trk_fail(context, TRK_E_ARGUMENT, "link '%s': there is no motion %d", name, link->motion);
+        return trk_fail(context, TRK_E_ARGUMENT, "link '%s': there is no motion %d", name,
+                        link->motion);
     if (link->from_body)
         status = trk_check_id(spec, "link", name, TRK_PART_BODY, link->from_body);
     if (status == TRK_OK && link->from_road)
@@ -26,17 +27,22 @@ static trk_status check_ends(const trk_spec *spec, const char *name, const trk_l
         return status;
     if (link->from_road && link->from_body)
         return trk_fail(context, TRK_E_ARGUMENT,
-                        "link '%s': starts on body '%s' and on road '%s'; one of them is needed", name,
-                        trk_spec_part_name(spec, TRK_PART_BODY, link->from_body),
+                        "link '%s': starts on body '%s' and on road '%s'; one of them is needed",
+                        name, trk_spec_part_name(spec, TRK_PART_BODY, link->from_body),
                         trk_spec_part_name(spec, TRK_PART_ROAD, link->from_road));
     if (link->from_road && link->motion == TRK_MOTION_ROTATION)
+        return trk_fail(
+            context, TRK_E_ARGUMENT,
+            "link '%s': a road does not rotate; a torsional link ends on bodies or ground", name);
+    if (link->from_road && !link->to_body)
         return trk_fail(context, TRK_E_ARGUMENT,
-                        "link '%s': a road does not rotate; a torsional link ends on bodies or ground",
-                        name);
+                        "link '%s': runs from road '%s' to the ground; it must end on a body", name,
+                        trk_spec_part_name(spec, TRK_PART_ROAD, link->from_road));
+    if (!link->from_body && !link->to_body)
+        return trk_fail(context, TRK_E_ARGUMENT, "link '%s': both ends are on the ground", name);
     if (link->from_body == link->to_body)
-        return trk_fail(context, TRK_E_ARGUMENT, "link '%s': both ends are on %s '%s'", name,
-                        link->to_body ? "body" : "the",
-                        link->to_body ? trk_spec_part_name(spec, TRK_PART_BODY, link->to_body) : "ground");
+        return trk_fail(context, TRK_E_ARGUMENT, "link '%s': both ends are on body '%s'", name,
+                        trk_spec_part_name(spec, TRK_PART_BODY, link->to_body));
     return TRK_OK;
 }
 

@@ -19,8 +19,9 @@ void trk_port_options_init(trk_port_options *options, size_t struct_size)
 }
 
 /* A motion of a body point, as sensors and ports have it. */
-static trk_status check_place(const trk_spec *spec, const char *what, const char *name, int32_t body,
-                              trk_motion motion, const double *point, const double *direction)
+static trk_status check_place(const trk_spec *spec, const char *what, const char *name,
+                              int32_t body, trk_motion motion, const double *point,
+                              const double *direction)
 {
     if (motion != TRK_MOTION_TRANSLATION && motion != TRK_MOTION_ROTATION)
         return trk_fail(spec->context, TRK_E_ARGUMENT, "%s '%s': there is no motion %d", what, name,
@@ -45,15 +46,16 @@ trk_status trk_spec_add_sensor(trk_spec *spec, const char *name, const trk_senso
     if (status != TRK_OK)
         return status;
     if (sensor.quantity < TRK_QUANTITY_DISPLACEMENT || sensor.quantity > TRK_QUANTITY_FORCE)
-        return trk_fail(spec->context, TRK_E_ARGUMENT, "sensor '%s': there is no quantity %d", shown,
-                        sensor.quantity);
+        return trk_fail(spec->context, TRK_E_ARGUMENT, "sensor '%s': there is no quantity %d",
+                        shown, sensor.quantity);
     if (sensor.quantity <= TRK_QUANTITY_ACCELERATION)
         status = check_place(spec, "sensor", shown, sensor.body, sensor.motion, sensor.point,
                              sensor.direction);
     else
         status = trk_check_id(spec, "sensor", shown, TRK_PART_LINK, sensor.link);
     if (status == TRK_OK)
-        status = trk_spec_append(spec, TRK_PART_SENSOR, name, (void **)&spec->sensors, sizeof sensor);
+        status =
+            trk_spec_append(spec, TRK_PART_SENSOR, name, (void **)&spec->sensors, sizeof sensor);
     if (status != TRK_OK)
         return status;
     int32_t id = trk_spec_count(spec, TRK_PART_SENSOR);
@@ -63,7 +65,8 @@ trk_status trk_spec_add_sensor(trk_spec *spec, const char *name, const trk_senso
     return TRK_OK;
 }
 
-trk_status trk_spec_get_sensor(const trk_spec *spec, int32_t sensor, trk_sensor_options *out_options)
+trk_status trk_spec_get_sensor(const trk_spec *spec, int32_t sensor,
+                               trk_sensor_options *out_options)
 {
     if (!out_options || sensor < 1 || sensor > trk_spec_count(spec, TRK_PART_SENSOR))
         return TRK_E_ARGUMENT;

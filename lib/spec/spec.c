@@ -61,7 +61,8 @@ static trk_status add_all(const trk_spec *from, trk_spec *to)
     for (int32_t k = 0; status == TRK_OK && k < trk_spec_count(from, TRK_PART_PORT); k++)
         status = trk_spec_add_port(to, from->names[TRK_PART_PORT].text[k], &from->ports[k], NULL);
     for (int32_t k = 0; status == TRK_OK && k < trk_spec_count(from, TRK_PART_SENSOR); k++)
-        status = trk_spec_add_sensor(to, from->names[TRK_PART_SENSOR].text[k], &from->sensors[k], NULL);
+        status =
+            trk_spec_add_sensor(to, from->names[TRK_PART_SENSOR].text[k], &from->sensors[k], NULL);
     return status;
 }
 

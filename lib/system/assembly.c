@@ -45,7 +45,8 @@ trk_status trk_assembly_create(trk_context *context, trk_backend backend, int32_
                                trk_assembly *assembly)
 {
     int64_t pairs = count_pairs(inertia) + count_pairs(links);
-    *assembly = (trk_assembly){.context = context, .inertia = inertia, .links = links, .mass = mass};
+    *assembly =
+        (trk_assembly){.context = context, .inertia = inertia, .links = links, .mass = mass};
     assembly->slots = trk_new(context, pairs, sizeof *assembly->slots);
     int32_t *row = trk_new(context, pairs, sizeof *row);
     int32_t *column = trk_new(context, pairs, sizeof *column);
@@ -75,7 +76,8 @@ trk_status trk_assembly_factorize(trk_assembly *assembly, double a, const double
 {
     trk_solver_clear(assembly->solver);
     double *values = trk_solver_values(assembly->solver);
-    const int64_t *slot = add_squares(assembly->inertia, a, assembly->mass, assembly->slots, values);
+    const int64_t *slot =
+        add_squares(assembly->inertia, a, assembly->mass, assembly->slots, values);
     if (s)
         add_squares(assembly->links, 1, s, slot, values);
     return trk_solver_factorize(assembly->solver, out_bad);

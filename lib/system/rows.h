@@ -9,10 +9,10 @@
 #include "base/base.h"
 
 typedef struct trk_rows {
-    int32_t count;          /* rows                                       */
-    int64_t entries;        /* in all rows                                */
-    int64_t *start;         /* row r has the entries start[r] .. start[r + 1] - 1 */
-    int32_t *column;        /* 0-based coordinate, rising within a row    */
+    int32_t count;   /* rows                                       */
+    int64_t entries; /* in all rows                                */
+    int64_t *start;  /* row r has the entries start[r] .. start[r + 1] - 1 */
+    int32_t *column; /* 0-based coordinate, rising within a row    */
     double *value;
     int64_t row_capacity, column_capacity, value_capacity;
 } trk_rows;
