@@ -134,30 +134,30 @@ void trk_curve_destroy(trk_curve *curve)
 
 int64_t trk_curve_count(const trk_curve *curve)
 {
-    return curve->count;
+    return curve ? curve->count : 0;
 }
 
 const double *trk_curve_x(const trk_curve *curve)
 {
-    return curve->x;
+    return curve ? curve->x : NULL;
 }
 
 const double *trk_curve_y(const trk_curve *curve)
 {
-    return curve->y;
+    return curve ? curve->y : NULL;
 }
 
 const char *trk_curve_name(const trk_curve *curve)
 {
-    return curve->name;
+    return curve ? curve->name : NULL;
 }
 
 trk_interpolation trk_curve_interpolation(const trk_curve *curve)
 {
-    return curve->interpolation;
+    return curve ? curve->interpolation : 0;
 }
 
 trk_extrapolation trk_curve_extrapolation(const trk_curve *curve)
 {
-    return curve->extrapolation;
+    return curve ? curve->extrapolation : 0;
 }

@@ -29,16 +29,18 @@ int32_t trk_curve_locate(const trk_curve *curve, double x, int32_t hint)
 double trk_curve_value(const trk_curve *curve, double x)
 {
     int32_t hint = 0;
-    double value, slope;
-    trk_curve_point(curve, x, &hint, &value, &slope);
+    double value = NAN, slope;
+    if (curve)
+        trk_curve_point(curve, x, &hint, &value, &slope);
     return value;
 }
 
 double trk_curve_slope(const trk_curve *curve, double x)
 {
     int32_t hint = 0;
-    double value, slope;
-    trk_curve_point(curve, x, &hint, &value, &slope);
+    double value, slope = NAN;
+    if (curve)
+        trk_curve_point(curve, x, &hint, &value, &slope);
     return slope;
 }
 
@@ -46,7 +48,7 @@ void trk_curve_evaluate(const trk_curve *curve, int64_t count, const double *x, 
                         double *out_slope)
 {
     int32_t hint = 0;
-    for (int64_t k = 0; k < count; k++) {
+    for (int64_t k = 0; curve && x && k < count; k++) {
         double value, slope;
         trk_curve_point(curve, x[k], &hint, &value, &slope);
         if (out_value)

@@ -26,6 +26,8 @@ void trk_widen_slope_range(double d0, double d1, double m, double *minimum, doub
 
 int32_t trk_curve_monotone(const trk_curve *curve)
 {
+    if (!curve)
+        return 0;
     if (curve->slope_minimum >= 0.0)
         return 1;
     return curve->slope_maximum <= 0.0 ? -1 : 0;
@@ -34,7 +36,7 @@ int32_t trk_curve_monotone(const trk_curve *curve)
 void trk_curve_slope_range(const trk_curve *curve, double *out_minimum, double *out_maximum)
 {
     if (out_minimum)
-        *out_minimum = curve->slope_minimum;
+        *out_minimum = curve ? curve->slope_minimum : NAN;
     if (out_maximum)
-        *out_maximum = curve->slope_maximum;
+        *out_maximum = curve ? curve->slope_maximum : NAN;
 }

@@ -2,11 +2,12 @@
 /* Labels of the channels, and questions to a series. */
 #include "series/series.h"
 
+#include <math.h>
 #include <string.h>
 
 static const trk_channel *find_channel(const trk_series *series, int32_t channel)
 {
-    return channel >= 1 && channel <= series->channels ? &series->channel[channel - 1] : NULL;
+    return series && channel >= 1 && channel <= series->channels ? &series->channel[channel - 1] : NULL;
 }
 
 trk_status trk_series_label(trk_series *series, int32_t channel, const char *name, const char *unit)
@@ -43,7 +44,7 @@ trk_status trk_series_label(trk_series *series, int32_t channel, const char *nam
 
 int32_t trk_series_find(const trk_series *series, const char *name)
 {
-    for (int32_t k = 0; name && k < series->channels; k++)
+    for (int32_t k = 0; series && name && k < series->channels; k++)
         if (strcmp(series->channel[k].name, name) == 0)
             return k + 1;
     return 0;
@@ -51,22 +52,22 @@ int32_t trk_series_find(const trk_series *series, const char *name)
 
 int32_t trk_series_channels(const trk_series *series)
 {
-    return series->channels;
+    return series ? series->channels : 0;
 }
 
 int64_t trk_series_samples(const trk_series *series)
 {
-    return series->samples;
+    return series ? series->samples : 0;
 }
 
 double trk_series_rate(const trk_series *series)
 {
-    return series->sample_rate;
+    return series ? series->sample_rate : NAN;
 }
 
 double trk_series_start(const trk_series *series)
 {
-    return series->start;
+    return series ? series->start : NAN;
 }
 
 const char *trk_series_name(const trk_series *series, int32_t channel)

@@ -33,7 +33,10 @@ static void destroy(trk_signal *signal)
 static trk_status check(trk_context *context, int64_t count, double start, double spacing,
                         const double *values, const double *rates)
 {
-    int64_t least = rates ? 2 : 4;
+    int64_t least = rates ? 2 : 4, most = PTRDIFF_MAX / (int64_t)sizeof *values;
+    if (count > most) /* no such array exists: do not begin to read it */
+        return trk_fail(context, TRK_E_RANGE, "samples: %lld samples, expected at most %lld",
+                        (long long)count, (long long)most);
     if (count < least)
         return trk_fail(context, TRK_E_RANGE,
                         "samples: %lld samples %s rates, expected at least %lld", (long long)count,

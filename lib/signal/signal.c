@@ -41,15 +41,17 @@ void trk_signal_destroy(trk_signal *signal)
 
 double trk_signal_value(const trk_signal *signal, double x)
 {
-    double value, rate;
-    signal->kind->evaluate(signal, 1, &x, &value, &rate);
+    double value = NAN, rate;
+    if (signal)
+        signal->kind->evaluate(signal, 1, &x, &value, &rate);
     return value;
 }
 
 double trk_signal_rate(const trk_signal *signal, double x)
 {
-    double value, rate;
-    signal->kind->evaluate(signal, 1, &x, &value, &rate);
+    double value, rate = NAN;
+    if (signal)
+        signal->kind->evaluate(signal, 1, &x, &value, &rate);
     return rate;
 }
 
@@ -57,7 +59,7 @@ void trk_signal_evaluate(const trk_signal *signal, int64_t count, double start, 
                          double *out_value, double *out_rate)
 {
     double x[TRK_SIGNAL_BLOCK], value[TRK_SIGNAL_BLOCK], rate[TRK_SIGNAL_BLOCK];
-    for (int64_t first = 0; first < count; first += TRK_SIGNAL_BLOCK) {
+    for (int64_t first = 0; signal && first < count; first += TRK_SIGNAL_BLOCK) {
         int64_t n = count - first < TRK_SIGNAL_BLOCK ? count - first : TRK_SIGNAL_BLOCK;
         for (int64_t k = 0; k < n; k++)
             x[k] = start + (double)(first + k) * spacing;

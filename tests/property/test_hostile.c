@@ -116,6 +116,17 @@ static void curves(void **state)
     double x;
     REFUSED(c, trk_curve_solve(c, NULL, 0, &x));
     assert_int_not_equal(trk_curve_create(NULL, "c", 4, good_x, good_y, NULL, &curve), TRK_OK);
+    double slope;
+    assert_true(isnan(trk_curve_value(NULL, 0)) && isnan(trk_curve_slope(NULL, 0)));
+    trk_curve_evaluate(NULL, 1, &x, &x, NULL);
+    assert_int_equal(trk_curve_monotone(NULL), 0);
+    trk_curve_slope_range(NULL, &x, &slope);
+    assert_true(isnan(x) && isnan(slope));
+    assert_int_equal(trk_curve_count(NULL), 0);
+    assert_null(trk_curve_x(NULL));
+    assert_null(trk_curve_y(NULL));
+    assert_null(trk_curve_name(NULL));
+    assert_int_equal(trk_curve_interpolation(NULL) + trk_curve_extrapolation(NULL), 0);
     trk_curve_destroy(NULL);
 }
 
@@ -182,6 +193,9 @@ static void signals(void **state)
     }
     REFUSED(c, trk_signal_create_samples(c, INT64_MIN, 0, 1, v, NULL, &signal));
     REFUSED(c, trk_signal_create_points(c, INT64_MAX, v, v, &signal));
+    REFUSED(c, trk_signal_create_samples(c, INT64_MAX, 0, 1, v, NULL, &signal));
+    assert_true(isnan(trk_signal_value(NULL, 0)) && isnan(trk_signal_rate(NULL, 0)));
+    trk_signal_evaluate(NULL, 1, 0, 1, NULL, NULL);
     trk_signal_destroy(NULL);
 }
 
@@ -227,6 +241,13 @@ static void series(void **state)
     assert_int_equal(trk_series_find(s, "nobody"), 0);
     assert_ok(c, trk_series_label(s, 1, "still", "m"));
     trk_series_destroy(s);
+    assert_int_equal(trk_series_channels(NULL) + trk_series_samples(NULL), 0);
+    assert_true(isnan(trk_series_rate(NULL)) && isnan(trk_series_start(NULL)));
+    assert_int_equal(trk_series_find(NULL, "a"), 0);
+    assert_null(trk_series_name(NULL, 1));
+    assert_null(trk_series_unit(NULL, 1));
+    assert_null(trk_series_data(NULL, 1));
+    assert_null(trk_series_data_mutable(NULL, 1));
     trk_series_destroy(NULL);
 }
 
