@@ -38,8 +38,8 @@ typedef struct trk_newmark_options {
     double      gamma;          /**< [-] 1/2 to 3/2; default 1/2                            */
     double      alpha_f;        /**< [-] 0 to 1/2; default 0                               */
     double      alpha_m;        /**< [-] -1 to alpha_f; default 0                          */
-    double      tolerance;      /**< [-] residual of the link forces over the largest link force (NEWMARK.12), > 0; default 1e-10 */
-    int32_t     max_iterations; /**< [-] Newton iterations in a step, >= 1; default 30     */
+    double      tolerance;      /**< [-] residual of the link forces over the largest link force (NEWMARK.12), above 0, at most 0.01; default 1e-10 */
+    int32_t     max_iterations; /**< [-] Newton iterations in a step, >= 1; default 100    */
     trk_backend backend;        /**< [-] default TRK_BACKEND_AUTO                          */
 } trk_newmark_options;
 

@@ -36,6 +36,31 @@ static double residual(const trk_model *model, const double *q, double *r, doubl
     return largest;
 }
 
+/* Largest tangents that the links have anywhere, in place of those at s->q. */
+static void use_largest_tangents(const trk_model *model, statics *s)
+{
+    for (int32_t k = 0; k < model->links.count; k++) {
+        const trk_law *law = &model->laws[k];
+        double least, most = 0;
+        if (law->spring)
+            trk_curve_slope_range(law->spring, &least, &most);
+        s->tangent[k] = law->stiffness + law->spring_scale * most;
+    }
+}
+
+/* What rounding of q leaves out of balance where stiff links see small elongations. */
+static double rounding(const trk_model *model, const statics *s)
+{
+    double largest = 0;
+    for (int32_t k = 0; k < model->links.count; k++) {
+        double e = 0;
+        for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++)
+            e += fabs(model->links.value[j] * s->q[model->links.column[j]]);
+        largest = fmax(largest, fabs(s->tangent[k]) * e);
+    }
+    return 64 * DBL_EPSILON * largest;
+}
+
 /* Newton direction at s->q into s->step. */
 static trk_status direction(trk_model *model, trk_assembly *assembly, statics *s)
 {
@@ -44,6 +69,10 @@ static trk_status direction(trk_model *model, trk_assembly *assembly, statics *s
         trk_model_link_tangent(model, k, s->q, NULL, &s->tangent[k], &ignored);
     int32_t bad = 0;
     trk_status status = trk_assembly_factorize(assembly, 0, s->tangent, &bad);
+    if (status == TRK_E_SINGULAR) { /* a curve may start flat: a tire that just touches */
+        use_largest_tangents(model, s);
+        status = trk_assembly_factorize(assembly, 0, s->tangent, &bad);
+    }
     if (status == TRK_E_SINGULAR)
         return trk_model_fail_singular(model->context, model, "stiffness under gravity", s->tangent,
                                        bad);
@@ -68,7 +97,7 @@ static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
         }
         /* Go on until rounding stops the descent, then ask whether that is equilibrium. */
         if (!(smaller < size))
-            return size <= 1e-11 * scale
+            return size <= fmax(1e-11 * scale, rounding(model, s))
                        ? TRK_OK
                        : trk_fail(
                              model->context, TRK_E_CONVERGENCE,

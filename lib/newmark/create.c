@@ -38,7 +38,7 @@ static trk_status allocate(trk_newmark *stepper)
     int64_t square = padded((int64_t)p * p);
     int64_t state = 4 * padded(n) + 2 * padded(roads) + padded(p);
     int64_t doubles = 2 * state + 2 * padded(n) + padded((int64_t)p * n) + 2 * square +
-                      7 * padded(p) + padded(model->links.count);
+                      8 * padded(p) + padded(model->links.count);
     stepper->block = trk_new(stepper->context, doubles, sizeof *stepper->block);
     stepper->nonlinear_index =
         trk_new(stepper->context, model->links.count, sizeof *stepper->nonlinear_index);
@@ -57,8 +57,8 @@ static trk_status allocate(trk_newmark *stepper)
     stepper->jacobian = take(&cursor, (int64_t)p * p);
     stepper->e_free = take(&cursor, p);
     stepper->v_free = take(&cursor, p);
-    stepper->past1 = take(&cursor, p);
-    stepper->past2 = take(&cursor, p);
+    for (int k = 0; k < 3; k++)
+        stepper->past[k] = take(&cursor, p);
     stepper->trial = take(&cursor, p);
     stepper->mismatch = take(&cursor, p);
     stepper->slope = take(&cursor, p);
@@ -135,6 +135,9 @@ static trk_status prepare(trk_newmark *stepper)
     if (status == TRK_OK)
         status = find_influence(stepper);
     stepper->force_floor = find_force_floor(model);
+    stepper->kernel = trk_dense_choose_kernel();
+    if (status == TRK_OK)
+        status = trk_dense_create(stepper, &stepper->dense);
     if (status == TRK_OK)
         status = trk_newmark_set_state(stepper, 0, NULL, NULL, NULL, NULL, NULL);
     if (status != TRK_OK)
@@ -179,6 +182,7 @@ void trk_newmark_destroy(trk_newmark *stepper)
     trk_context *context = stepper->context;
     if (stepper->assembly.context)
         trk_assembly_clear(&stepper->assembly);
+    trk_dense_destroy(stepper->dense);
     trk_free(context, stepper->block);
     trk_free(context, stepper->nonlinear_index);
     trk_free(context, stepper->hints);

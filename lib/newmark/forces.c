@@ -134,12 +134,13 @@ static check search(trk_newmark *stepper, double mismatch)
     return result;
 }
 
-trk_status trk_newmark_solve_forces(trk_newmark *stepper, double force_scale)
+trk_status trk_newmark_solve_forces(trk_newmark *stepper)
 {
     check result = evaluate(stepper, stepper->next.force);
     double tolerance = stepper->options.tolerance, least = stepper->force_floor;
     int32_t iterations = 0;
-    while (!(result.mismatch <= fmax(least, tolerance * fmax(force_scale, result.force)))) {
+    while (
+        !(result.mismatch <= fmax(least, tolerance * fmax(stepper->force_scale, result.force)))) {
         double before = result.mismatch;
         if (iterations == stepper->options.max_iterations || !isfinite(before) ||
             !newton_step(stepper))

@@ -4,6 +4,7 @@
 #define TRK_NEWMARK_NEWMARK_H
 
 #include "model/model.h"
+#include "newmark/dense.h"
 #include "system/assembly.h"
 #include <truckride/newmark.h>
 
@@ -27,6 +28,7 @@ struct trk_newmark {
     double *load_row;         /* P p + w, length n                                    */
     double *residual;         /* length n                                             */
     double *link_factor;      /* of B^T diag(s) B in S0, length links                 */
+    double force_scale;       /* largest link force of the last step, a lower bound [N, N m] */
     double force_floor;       /* rounding of the largest table force (NEWMARK.12) [N, N m] */
     int32_t p;                /* non-linear links                                     */
     int32_t *nonlinear_index; /* by link: place among the non-linear ones or -1       */
@@ -34,29 +36,34 @@ struct trk_newmark {
     double *influence;        /* Z = B_p S0^-1, p x n (NEWMARK.5)                     */
     double *coupling;         /* D = B_p S0^-1 B_p^T, p x p                           */
     double *e_free, *v_free;  /* state of those links were g zero, p                  */
-    double *past1, *past2;    /* g one and two steps ago, p                           */
+    double *past[3];          /* g one, two and three steps ago, p                    */
     double *trial, *mismatch; /* Newton on g, p                                       */
     double *slope;            /* t of (NEWMARK.7), p                                  */
     double *jacobian;         /* p x p                                                */
+    trk_dense_step *dense;    /* a faster way for small systems (NEWMARK.13); NULL: none */
+    trk_dense_kernel kernel;
     trk_newmark_statistics statistics;
 };
 
 /*
  * Newton on the forces of the non-linear links (NEWMARK.6), from the start in
- * next.force. force_scale is the largest linear link force. On success next.force
- * is the answer. TRK_E_CONVERGENCE: the message is recorded.
+ * next.force. On success next.force is the answer. TRK_E_CONVERGENCE: the message is recorded.
  */
-trk_status trk_newmark_solve_forces(trk_newmark *stepper, double force_scale);
+trk_status trk_newmark_solve_forces(trk_newmark *stepper);
 
 /* Factor S0 = (1 - alpha_m) M + (1 - alpha_f) (gamma h C0 + beta h^2 K0) (NEWMARK.4). */
 trk_status trk_newmark_factorize(trk_newmark *stepper);
 
-/* Copy road and load if they are finite, loads into load_row as P p + w; else name the entry. */
+/* Copy road and load if they are finite, loads into load_row as P p + w; else name the entry.
+ * NULL is zeros. */
 trk_status trk_newmark_take_inputs(trk_newmark *stepper, const double *height,
                                    const double *velocity, const double *load, trk_state *state);
 
-/* r := r - B^T (k e + c e') at a state; returns the largest of these link forces. */
-double trk_newmark_subtract_linear(const trk_newmark *stepper, const trk_state *state, double *r);
+/* Largest force of all links at a state. */
+double trk_newmark_largest_force(const trk_newmark *stepper, const trk_state *state);
+
+/* r := r - B^T (k e + c e') at a state. */
+void trk_newmark_subtract_linear(const trk_newmark *stepper, const trk_state *state, double *r);
 
 /* y := y + factor M x */
 void trk_newmark_add_inertia(const trk_newmark *stepper, double factor, const double *x, double *y);

@@ -9,7 +9,7 @@ static const trk_newmark_options defaults = {.struct_size = sizeof defaults,
                                              .beta = 0.25,
                                              .gamma = 0.5,
                                              .tolerance = 1e-10,
-                                             .max_iterations = 30};
+                                             .max_iterations = 100};
 
 void trk_newmark_options_init(trk_newmark_options *options, size_t struct_size)
 {
@@ -67,9 +67,9 @@ trk_status trk_newmark_read_options(trk_context *context, const trk_newmark_opti
         return trk_fail(context, TRK_E_RANGE,
                         "trk_newmark_options: step is %g s; a finite number > 0 is needed",
                         out->step);
-    if (!isfinite(out->tolerance) || out->tolerance <= 0)
+    if (!isfinite(out->tolerance) || out->tolerance <= 0 || out->tolerance > 0.01)
         return trk_fail(context, TRK_E_RANGE,
-                        "trk_newmark_options: tolerance is %g; a finite number > 0 is needed",
+                        "trk_newmark_options: tolerance is %g; above 0, at most 0.01 is needed",
                         out->tolerance);
     if (out->max_iterations < 1)
         return trk_fail(context, TRK_E_RANGE,

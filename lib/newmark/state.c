@@ -111,8 +111,11 @@ trk_status trk_newmark_set_state(trk_newmark *stepper, double time, const double
     stepper->start = time;
     stepper->taken = 0;
     /* No past to extrapolate from: the forces seem to stay. */
-    memcpy(stepper->past1, stepper->now.force, (size_t)stepper->p * sizeof *stepper->past1);
-    memcpy(stepper->past2, stepper->now.force, (size_t)stepper->p * sizeof *stepper->past2);
+    for (int k = 0; k < 3; k++)
+        memcpy(stepper->past[k], stepper->now.force, (size_t)stepper->p * sizeof(double));
+    stepper->force_scale = trk_newmark_largest_force(stepper, &stepper->now);
+    if (stepper->dense)
+        trk_dense_adopt(stepper->dense, stepper, true);
     return TRK_OK;
 }
 

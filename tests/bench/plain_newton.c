@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX = 16, POINTS = 96, MAX_ROADS = 4 };
+enum { MAX = 16, POINTS = 192, MAX_ROADS = 4 };
 
 /* Curve as cubic pieces, straight beyond the ends; `at` is where it was last. */
 typedef struct spline {
