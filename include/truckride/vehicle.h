@@ -221,7 +221,7 @@ enum {
     TRK_TABLE_THESIS_REAR_AXLE_DAMPER = 3,   /**< thesis, table C3                                */
     TRK_TABLE_THESIS_FRONT_CAB_DAMPER = 4,   /**< thesis, table C3                                */
     TRK_TABLE_THESIS_REAR_CAB_DAMPER = 5,    /**< thesis, table C3                                */
-    TRK_TABLE_REFERENCE_AXLE_DAMPER = 6,     /**< c v / (1 + d |v|), sampled, within 0.1 %        */
+    TRK_TABLE_REFERENCE_AXLE_DAMPER = 6,     /**< c v / (1 + d |v|), sampled, within 0.1 % from 0.2 mm/s on */
     TRK_TABLE_REFERENCE_FRONT_SPRING = 7,    /**< k1 x + k2 x |x| from the free length            */
     TRK_TABLE_REFERENCE_REAR_SPRING = 8,     /**< the same, rear                                  */
     TRK_TABLE_REFERENCE_BUMP_STOP = 9,       /**< axle bump stop, 0 at first contact              */

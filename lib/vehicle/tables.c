@@ -72,17 +72,17 @@ static const table tables[] = {
                                              cab_damper_v, rear_damper_f},
 };
 
-enum { SAMPLES = 81 }; /* of a formula, enough for 0.1 % */
+enum { SAMPLES = 161 }; /* of a formula, enough for 0.1 % */
 
 /* MAN KAT1 shock absorber: c v / (1 + d |v|), other constants in compression; up to 3 m/s.
- * Equal steps of force put the points where the curve bends. */
+ * The points crowd where the curve has its corner, at rest: a smooth curve rounds it. */
 static void sample_axle_damper(double *v, double *f)
 {
     const double c[2] = {52526.6, 98727.9}, d[2] = {3.0, 4.77954}, limit = 3;
     for (int k = 0; k < SAMPLES; k++) {
         double part = (double)(k - SAMPLES / 2) / (SAMPLES / 2);
         int side = part > 0;
-        double s = part * d[side] * limit / (1 + d[side] * limit);
+        double s = part * fabs(part) * d[side] * limit / (1 + d[side] * limit);
         v[k] = s / (d[side] * (1 - fabs(s)));
         f[k] = c[side] / d[side] * s;
     }
