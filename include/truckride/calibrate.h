@@ -90,7 +90,7 @@ typedef struct trk_run_options {
     double  duration;       /**< [s] > 0; default 480                                              */
     double  step;           /**< [s] > 0; default 0.001                                            */
     int64_t segment_length; /**< [-] samples of a PSD segment; default 8192                        */
-    double  overlap;        /**< [-] of segments, 0 <= overlap < 1; default 0.75                   */
+    double  overlap;        /**< [-] of segments, 0 <= overlap < 1; default 0.9, so that a sweep leaves no ripple                   */
 } trk_run_options;
 
 /** Options of trk_calibration_solve(). */
@@ -213,6 +213,11 @@ TRK_API int32_t trk_calibration_values(const trk_calibration *calibration);
 /**
  * Solve (CALIBRATE.1).
  *
+ * When every target has a gradient and the answer would be TRK_OK, up to four short further
+ * starts beside it look for a second answer (CALIBRATE.6). This finds most, not all; more
+ * starts find more. max_evaluations holds for each of them; one evaluation at the start and
+ * one to judge an answer come on top.
+ *
  * @param options  NULL for one start and 200 evaluations
  * @param progress called at every evaluation with the fraction of those allowed; NULL for none
  * @param user     handed to progress; borrowed
@@ -221,7 +226,8 @@ TRK_API int32_t trk_calibration_values(const trk_calibration *calibration);
  *                           that needs one; a parameter acts on nothing
  * @retval TRK_E_TARGET      a minimum, but some target is not met there: out of reach, or in
  *                           contradiction to another; the message names the worst
- * @retval TRK_E_IDENTIFY    the targets leave a parameter undetermined; the message names it
+ * @retval TRK_E_IDENTIFY    the targets leave a parameter undetermined; the message names it; or two
+ *                           sets of parameters meet them
  * @retval TRK_E_LIMIT       evaluations or time ran out before a minimum was reached
  * @retval TRK_E_CONVERGENCE no minimum was reached for another reason, or the model could not
  *                           be evaluated at the start; the message says why

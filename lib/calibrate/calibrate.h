@@ -24,9 +24,9 @@ typedef struct trk_fit_parameter {
 typedef struct trk_fit_action {
     int32_t parameter; /* 0-based                                     */
     trk_field field;
-    int32_t part;      /* id of the link or body                      */
+    int32_t part; /* id of the link or body                      */
     double power;
-    double reference;  /* 1, or for TRK_MEANING_VALUE the spec's value */
+    double reference; /* 1, or for TRK_MEANING_VALUE the spec's value */
 } trk_fit_action;
 
 typedef struct trk_fit_target {
@@ -39,9 +39,9 @@ typedef struct trk_fit_target {
 
 struct trk_calibration {
     trk_context *context;
-    trk_spec *base, *work;           /* as given; with the parameters of the last evaluation */
+    trk_spec *base, *work; /* as given; with the parameters of the last evaluation */
     trk_model_options model_options;
-    trk_model *model;                /* of the base spec: names and counts                  */
+    trk_model *model; /* of the base spec: names and counts                  */
     trk_names parameter_names, target_names;
     trk_fit_parameter *parameters;
     trk_fit_action *actions;
@@ -54,9 +54,10 @@ struct trk_calibration {
     bool solved;
     int64_t evaluations, failures;
     trk_solve_options solve_options;
-    double *jacobian, *singular;      /* values x parameters, row-major; min of both */
+    double *jacobian, *singular;        /* values x parameters, row-major; min of both */
+    double weakest[TRK_MAX_PARAMETERS]; /* direction of u that the targets see least */
     trk_status outcome;
-    char verdict[512];                /* why it stopped, a sentence   */
+    char verdict[512]; /* why it stopped, a sentence   */
     char *report;
 };
 
@@ -103,6 +104,8 @@ typedef struct trk_fit_watch {
     double deadline; /* [s] of trk_fit_clock(); infinite: none             */
     int64_t allowed; /* evaluations of this start                          */
     int64_t used;
+    double done, share;  /* of all the work: before this start, and by it   */
+    const double *known; /* answer that it is useless to find again; or NULL */
 } trk_fit_watch;
 
 /* Monotonic time [s]. */
@@ -112,9 +115,9 @@ double trk_fit_clock(void);
 trk_status trk_fit_count(trk_calibration *calibration, trk_fit_watch *watch);
 
 /*
- * Minimise Q from u, in place; *out_q is Q there. TRK_OK: the minimiser stopped by itself. A
- * status of trk_fit_count(), TRK_E_CONVERGENCE or TRK_E_MEMORY otherwise; u is the best
- * point seen all the same.
+ * Minimise Q from u, in place; *out_q is Q there. TRK_OK: it has converged. A status of
+ * trk_fit_count(), TRK_E_CONVERGENCE or TRK_E_MEMORY otherwise; u is the best point seen
+ * all the same. Close to watch->known it gives up with TRK_E_CONVERGENCE.
  */
 trk_status trk_fit_minimise(trk_calibration *calibration, trk_fit_watch *watch, double *u,
                             double *out_q);
@@ -125,8 +128,11 @@ trk_status trk_fit_minimise(trk_calibration *calibration, trk_fit_watch *watch, 
  */
 trk_status trk_fit_judge(trk_calibration *calibration, const double *u, trk_status stopped);
 
-/* Gauss-Newton step -(J^T J)^-1 J^T r within the bounds of u: parameters at a bound that
- * would leave it stay. false: J has no full rank. */
+/* Parameters at a bound that a step downhill would leave: they stay. */
+void trk_fit_hold(const trk_calibration *calibration, const double *u, const double *r,
+                  const double *jacobian, bool *out_held);
+
+/* Gauss-Newton step -(J^T J)^-1 J^T r within the bounds of u. false: J has no full rank. */
 bool trk_fit_gauss_newton(const trk_calibration *calibration, const double *u, const double *r,
                           const double *jacobian, double *out_step);
 

@@ -18,9 +18,9 @@ static trk_status fill(trk_calibration *calibration, const trk_spec *spec,
 {
     trk_context *context = calibration->context;
     trk_model_options_init(&calibration->model_options, sizeof calibration->model_options);
-    trk_status status = trk_read_options(context, "trk_model_options", options,
-                                         &calibration->model_options,
-                                         sizeof calibration->model_options);
+    trk_status status =
+        trk_read_options(context, "trk_model_options", options, &calibration->model_options,
+                         sizeof calibration->model_options);
     if (status == TRK_OK)
         status = trk_spec_copy(context, spec, &calibration->base);
     if (status == TRK_OK)
@@ -39,8 +39,9 @@ trk_status trk_calibration_create(trk_context *context, const trk_spec *spec,
     TRK_REQUIRE(context, context, "trk_calibration_create");
     TRK_REQUIRE(context, spec, "trk_calibration_create");
     if (!trk_has_feature(TRK_FEATURE_NLOPT) || !trk_has_feature(TRK_FEATURE_LAPACK))
-        return trk_fail(context, TRK_E_UNSUPPORTED,
-                        "calibration needs NLopt and LAPACK; this build was made without one of them");
+        return trk_fail(
+            context, TRK_E_UNSUPPORTED,
+            "calibration needs NLopt and LAPACK; this build was made without one of them");
     trk_calibration *calibration = trk_new(context, 1, sizeof *calibration);
     if (!calibration)
         return TRK_E_MEMORY;
@@ -91,17 +92,20 @@ trk_status trk_calibration_add_parameter(trk_calibration *calibration, const cha
     if (status != TRK_OK)
         return status;
     if (p.meaning != TRK_MEANING_FACTOR && p.meaning != TRK_MEANING_VALUE)
-        return trk_fail(context, TRK_E_ARGUMENT, "parameter '%s': there is no meaning %d", name, p.meaning);
+        return trk_fail(context, TRK_E_ARGUMENT, "parameter '%s': there is no meaning %d", name,
+                        p.meaning);
     if (!(p.lower > 0 && p.lower <= p.start && p.start <= p.upper && p.lower < p.upper &&
           isfinite(p.upper)))
         return trk_fail(context, TRK_E_RANGE,
-                        "parameter '%s': start %g within %g to %g; 0 < lower <= start <= upper, finite, is needed",
+                        "parameter '%s': start %g within %g to %g; 0 < lower <= start <= upper, "
+                        "finite, is needed",
                         name, p.start, p.lower, p.upper);
     if (trk_fit_parameter_count(calibration) == TRK_MAX_PARAMETERS)
         return trk_fail(context, TRK_E_RANGE, "parameter '%s': more than %d parameters", name,
                         TRK_MAX_PARAMETERS);
     status = trk_grow(context, (void **)&calibration->parameters, &calibration->parameter_capacity,
-                      (int64_t)trk_fit_parameter_count(calibration) + 1, sizeof *calibration->parameters);
+                      (int64_t)trk_fit_parameter_count(calibration) + 1,
+                      sizeof *calibration->parameters);
     if (status == TRK_OK)
         status = trk_names_add(context, &calibration->parameter_names, "parameter", name);
     if (status != TRK_OK)
@@ -139,14 +143,16 @@ static bool matches(const char *pattern, const char *name)
 
 static trk_part part_kind(trk_field field)
 {
-    return field == TRK_FIELD_STIFFNESS || field == TRK_FIELD_DAMPING ? TRK_PART_LINK : TRK_PART_BODY;
+    return field == TRK_FIELD_STIFFNESS || field == TRK_FIELD_DAMPING ? TRK_PART_LINK
+                                                                      : TRK_PART_BODY;
 }
 
 static bool overlap(trk_field a, trk_field b)
 {
     bool mass_a = a == TRK_FIELD_MASS || a == TRK_FIELD_INERTIA;
     bool mass_b = b == TRK_FIELD_MASS || b == TRK_FIELD_INERTIA;
-    return a == b || (a == TRK_FIELD_MASS_INERTIA && mass_b) || (b == TRK_FIELD_MASS_INERTIA && mass_a);
+    return a == b || (a == TRK_FIELD_MASS_INERTIA && mass_b) ||
+           (b == TRK_FIELD_MASS_INERTIA && mass_a);
 }
 
 /* The numbers of a field of one part: their count, the first non-zero one, curves among them. */
@@ -182,8 +188,9 @@ static int count_numbers(const trk_calibration *calibration, trk_field field, in
     return count + *out_curve;
 }
 
-static trk_status check_action(const trk_calibration *calibration, int32_t parameter, trk_field field,
-                               int32_t part, const char *name, double *out_reference)
+static trk_status check_action(const trk_calibration *calibration, int32_t parameter,
+                               trk_field field, int32_t part, const char *name,
+                               double *out_reference)
 {
     trk_context *context = calibration->context;
     const char *parameter_name = trk_names_text(&calibration->parameter_names, parameter);
@@ -199,14 +206,16 @@ static trk_status check_action(const trk_calibration *calibration, int32_t param
     bool curve;
     int numbers = count_numbers(calibration, field, part, &value, &curve);
     if (numbers == 0)
-        return trk_fail(context, TRK_E_MODEL, "parameter '%s': '%s' has nothing to scale in this field",
-                        parameter_name, name);
+        return trk_fail(context, TRK_E_MODEL,
+                        "parameter '%s': '%s' has nothing to scale in this field", parameter_name,
+                        name);
     *out_reference = 1;
     if (calibration->parameters[parameter - 1].options.meaning == TRK_MEANING_VALUE) {
         if (numbers != 1 || curve || value < 0)
-            return trk_fail(context, TRK_E_MODEL,
-                            "parameter '%s' is a value, but '%s' has not one positive number in this field",
-                            parameter_name, name);
+            return trk_fail(
+                context, TRK_E_MODEL,
+                "parameter '%s' is a value, but '%s' has not one positive number in this field",
+                parameter_name, name);
         *out_reference = value;
     }
     return TRK_OK;
@@ -222,14 +231,17 @@ trk_status trk_calibration_act_on(trk_calibration *calibration, int32_t paramete
         return trk_fail(context, TRK_E_ARGUMENT, "trk_calibration_act_on: there is no parameter %d",
                         parameter);
     if (field < TRK_FIELD_STIFFNESS || field > TRK_FIELD_MASS_INERTIA)
-        return trk_fail(context, TRK_E_ARGUMENT, "trk_calibration_act_on: there is no field %d", field);
+        return trk_fail(context, TRK_E_ARGUMENT, "trk_calibration_act_on: there is no field %d",
+                        field);
     if (!isfinite(power) || power == 0)
         return trk_fail(context, TRK_E_RANGE,
-                        "trk_calibration_act_on: power is %g; a finite number but 0 is needed", power);
+                        "trk_calibration_act_on: power is %g; a finite number but 0 is needed",
+                        power);
     trk_part kind = part_kind(field);
     int32_t parts = trk_spec_count(calibration->base, kind), before = calibration->action_count;
-    trk_status status = trk_grow(context, (void **)&calibration->actions, &calibration->action_capacity,
-                                 (int64_t)before + parts, sizeof *calibration->actions);
+    trk_status status =
+        trk_grow(context, (void **)&calibration->actions, &calibration->action_capacity,
+                 (int64_t)before + parts, sizeof *calibration->actions);
     for (int32_t part = 1; status == TRK_OK && part <= parts; part++) {
         const char *name = trk_spec_part_name(calibration->base, kind, part);
         trk_fit_action action = {parameter - 1, field, part, power, 1};

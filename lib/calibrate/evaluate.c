@@ -65,10 +65,9 @@ trk_status trk_fit_compile(trk_calibration *calibration, const double *u, trk_mo
 
 static trk_status fail_at(const trk_calibration *c, int32_t target, trk_status status)
 {
-    return status == TRK_E_MEMORY
-               ? status
-               : trk_fail_within(c->context, status, "target '%s'",
-                                 trk_names_text(&c->target_names, target + 1));
+    return status == TRK_E_MEMORY ? status
+                                  : trk_fail_within(c->context, status, "target '%s'",
+                                                    trk_names_text(&c->target_names, target + 1));
 }
 
 /* ln(model / measured) at the points of a curve. */
@@ -116,14 +115,15 @@ static trk_status find_peak(trk_context *context, const trk_target_options *o, i
     first = first > 0 ? first - 1 : 0;
     last = last < length - 1 ? last + 1 : last;
     int64_t found = 0;
-    trk_status status = last - first < 2 ? TRK_OK
-                                         : trk_psd_peaks(context, last - first + 1, density + first,
-                                                         step, NULL, 1, out_frequency, NULL, NULL, &found);
+    trk_status status = last - first < 2
+                            ? TRK_OK
+                            : trk_psd_peaks(context, last - first + 1, density + first, step, NULL,
+                                            1, out_frequency, NULL, NULL, &found);
     if (status != TRK_OK)
         return status;
     if (found == 0)
         return trk_fail(context, TRK_E_TARGET, "the PSD has no peak between %g and %g Hz", o->low,
-                        (double)last * step);
+                        o->high > 0 ? o->high : (double)last * step);
     *out_frequency += (double)first * step;
     return TRK_OK;
 }
@@ -156,10 +156,11 @@ static trk_status run_targets(trk_calibration *c, const trk_series *series, doub
         trk_target kind = target->options.kind;
         if (kind != TRK_TARGET_PSD_PEAK && kind != TRK_TARGET_PSD_CURVE)
             continue;
-        trk_status status = trk_psd(c->context, samples, trk_series_data(series, target->sensor), rate,
-                                    settings, density);
+        trk_status status = trk_psd(c->context, samples, trk_series_data(series, target->sensor),
+                                    rate, settings, density);
         if (status == TRK_OK && kind == TRK_TARGET_PSD_PEAK)
-            status = find_peak(c->context, &target->options, length, density, step, out_y + target->first);
+            status = find_peak(c->context, &target->options, length, density, step,
+                               out_y + target->first);
         else if (status == TRK_OK)
             status = psd_curve(c->context, target, length, density, step, out_y + target->first);
         if (status != TRK_OK)
@@ -224,8 +225,10 @@ static trk_status response_gradient(trk_calibration *c, double *u, int32_t param
     for (int32_t t = 0; status == TRK_OK && t < trk_fit_target_count(c); t++) {
         const trk_fit_target *target = &c->targets[t];
         for (int32_t i = target->first;
-             target->options.kind == TRK_TARGET_RESPONSE_CURVE && i < target->first + target->count; i++)
-            jacobian[(int64_t)i * parameters + parameter] = (high[i] - low[i]) / (2 * difference_step);
+             target->options.kind == TRK_TARGET_RESPONSE_CURVE && i < target->first + target->count;
+             i++)
+            jacobian[(int64_t)i * parameters + parameter] =
+                (high[i] - low[i]) / (2 * difference_step);
     }
     return status;
 }
@@ -254,6 +257,17 @@ static int32_t count_kinds(const trk_calibration *c, trk_target low, trk_target 
     return count;
 }
 
+static trk_status check_values(const trk_calibration *c, const double *y)
+{
+    for (int32_t t = 0; t < trk_fit_target_count(c); t++)
+        for (int32_t i = c->targets[t].first; i < c->targets[t].first + c->targets[t].count; i++)
+            if (!isfinite(y[i]))
+                return trk_fail(
+                    c->context, TRK_E_TARGET, "target '%s': value %d of the model is %g",
+                    trk_names_text(&c->target_names, t + 1), i - c->targets[t].first + 1, y[i]);
+    return TRK_OK;
+}
+
 trk_status trk_fit_evaluate(trk_calibration *calibration, const double *u, double *out_y,
                             double *out_jacobian)
 {
@@ -275,10 +289,7 @@ trk_status trk_fit_evaluate(trk_calibration *calibration, const double *u, doubl
             status = response_gradients(c, u, out_jacobian);
     }
     trk_model_destroy(model);
-    for (int32_t i = 0; status == TRK_OK && i < c->value_count; i++)
-        if (!isfinite(out_y[i]))
-            status = trk_fail(c->context, TRK_E_TARGET, "value %d of the targets is %g", i + 1, out_y[i]);
-    return status;
+    return status == TRK_OK ? check_values(c, out_y) : status;
 }
 
 void trk_fit_residuals(const trk_calibration *calibration, const double *y, double *out_r,

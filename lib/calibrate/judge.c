@@ -6,6 +6,12 @@
  * u = ln p under independent errors of the targets is P diag(w^2) P^T, and the 95 %
  * interval of p is p exp(-+1.96 sigma) (CALIBRATE.4). A parameter is determined if
  * that interval is shorter than its bounds are apart.
+ *
+ * A point is a minimum if no step is left, or if what a step could still take from the
+ * residuals, their projection on the range of J, is small against a standard uncertainty:
+ * then the answer is off by as small a part of its own standard deviation. Where the mode of a
+ * target changes abruptly the second is all that can be had.
+ * Source: D. M. Bates, D. G. Watts, Technometrics 23 (1981) 179-183.
  */
 #include "calibrate/calibrate.h"
 
@@ -15,10 +21,11 @@
 #include <math.h>
 #include <string.h>
 
-static const double run_step = 0.02;           /* of u, for differences of simulated runs       */
-static const double not_seen = 1e-8;           /* singular value over the largest one: no rank  */
+static const double run_step = 0.02; /* of u, for differences of simulated runs       */
+static const double not_seen = 1e-8; /* singular value over the largest one: no rank  */
 static const double normal95 = 1.959963984540054;
 static const double at_bound = 1e-9, stationary = 1e-6; /* of u */
+static const double small_offset = 0.01; /* standard uncertainties                        */
 
 typedef struct judge {
     trk_calibration *c;
@@ -27,36 +34,47 @@ typedef struct judge {
     double *j;                  /* m x n, row-major  */
     double *vt, *copy;          /* n x n, m x n      */
     double *sigma;              /* n                 */
-    double step[TRK_MAX_PARAMETERS];
     bool minimum;
 } judge;
+
+void trk_fit_hold(const trk_calibration *calibration, const double *u, const double *r,
+                  const double *jacobian, bool *out_held)
+{
+    int32_t n = trk_fit_parameter_count(calibration);
+    for (int32_t j = 0; j < n; j++) {
+        const trk_parameter_options *o = &calibration->parameters[j].options;
+        double slope = 0;
+        for (int32_t i = 0; i < calibration->value_count; i++)
+            slope += jacobian[(int64_t)i * n + j] * r[i];
+        out_held[j] = (u[j] <= log(o->lower) + at_bound && slope > 0) ||
+                      (u[j] >= log(o->upper) - at_bound && slope < 0);
+    }
+}
 
 bool trk_fit_gauss_newton(const trk_calibration *calibration, const double *u, const double *r,
                           const double *jacobian, double *out_step)
 {
     double a[TRK_MAX_PARAMETERS * TRK_MAX_PARAMETERS], b[TRK_MAX_PARAMETERS];
-    int32_t n = trk_fit_parameter_count(calibration), m = calibration->value_count, list[TRK_MAX_PARAMETERS];
-    int32_t count = 0;
+    int32_t n = trk_fit_parameter_count(calibration), m = calibration->value_count;
+    int32_t list[TRK_MAX_PARAMETERS], count = 0;
+    bool held[TRK_MAX_PARAMETERS];
+    trk_fit_hold(calibration, u, r, jacobian, held);
     for (int32_t j = 0; j < n; j++) {
-        const trk_parameter_options *o = &calibration->parameters[j].options;
-        double slope = 0;
-        for (int32_t i = 0; i < m; i++)
-            slope += jacobian[(int64_t)i * n + j] * r[i];
-        bool leaves = (u[j] <= log(o->lower) + at_bound && slope > 0) ||
-                      (u[j] >= log(o->upper) - at_bound && slope < 0);
         out_step[j] = 0;
-        if (!leaves) {
-            b[count] = -slope;
+        if (!held[j])
             list[count++] = j;
-        }
     }
-    for (int32_t k = 0; k < count; k++)
+    for (int32_t k = 0; k < count; k++) {
+        b[k] = 0;
+        for (int32_t i = 0; i < m; i++)
+            b[k] -= jacobian[(int64_t)i * n + list[k]] * r[i];
         for (int32_t l = 0; l < count; l++) {
             double sum = 0;
             for (int32_t i = 0; i < m; i++)
                 sum += jacobian[(int64_t)i * n + list[k]] * jacobian[(int64_t)i * n + list[l]];
             a[k * count + l] = sum;
         }
+    }
     if (count > 0 && !trk_small_solve(count, a, b))
         return false;
     for (int32_t k = 0; k < count; k++) {
@@ -75,7 +93,7 @@ static double half_square(int32_t m, const double *r)
     return q;
 }
 
-/* Jacobian of targets taken from runs, by central differences; also looks for a lower Q around. */
+/* Jacobian of targets taken from runs, by central differences; looks for a lower Q and for jumps. */
 static trk_status differences(judge *w, const double *u)
 {
     double moved[TRK_MAX_PARAMETERS], q = half_square(w->m, w->r);
@@ -95,9 +113,63 @@ static trk_status differences(judge *w, const double *u)
                 w->minimum = false;
         }
         moved[j] = u[j];
-        for (int32_t i = 0; i < w->m; i++)
-            w->j[(int64_t)i * w->n + j] = (w->high[i] - w->low[i]) / (2 * run_step);
+        for (int32_t i = 0; i < w->m; i++) {
+            double change = w->high[i] - w->low[i], bend = w->high[i] + w->low[i] - 2 * w->r[i];
+            w->j[(int64_t)i * w->n + j] = change / (2 * run_step);
+            /* Another peak became the highest right here: no interval has a meaning then. */
+            if (fabs(bend) > 1 && fabs(bend) > 0.5 * fabs(change))
+                w->minimum = false;
+        }
     }
+    return TRK_OK;
+}
+
+/* Singular values and right vectors of J, without the columns of parameters held at a bound. */
+static trk_status decompose(judge *w, const bool *held, double *out_singular)
+{
+    for (int32_t i = 0; i < w->m; i++)
+        for (int32_t j = 0; j < w->n; j++)
+            w->copy[(int64_t)j * w->m + i] = held && held[j] ? 0 : w->j[(int64_t)i * w->n + j];
+    return trk_singular_values(w->c->context, w->m, w->n, w->copy, out_singular, w->vt);
+}
+
+/* Component i of J v_k. */
+static double image(const judge *w, int32_t i, int32_t k)
+{
+    double sum = 0;
+    for (int32_t l = 0; l < w->n; l++)
+        sum += w->j[(int64_t)i * w->n + l] * w->vt[l * w->n + k];
+    return sum;
+}
+
+static bool is_seen(const judge *w, const double *singular, int32_t k)
+{
+    return k < (w->n < w->m ? w->n : w->m) && singular[k] > not_seen * singular[0];
+}
+
+/* Is the Gauss-Newton step of least norm, within the bounds, or what it gains, small? */
+static trk_status look_around(judge *w, const double *u)
+{
+    double step[TRK_MAX_PARAMETERS] = {0}, *s = w->c->singular, offset = 0, largest = 0;
+    bool held[TRK_MAX_PARAMETERS];
+    trk_fit_hold(w->c, u, w->r, w->j, held);
+    trk_status status = decompose(w, held, s);
+    if (status != TRK_OK)
+        return status;
+    for (int32_t k = 0; k < w->n && is_seen(w, s, k); k++) {
+        double along = 0;
+        for (int32_t i = 0; i < w->m; i++)
+            along += image(w, i, k) * w->r[i] / s[k];
+        for (int32_t j = 0; j < w->n; j++)
+            step[j] -= w->vt[j * w->n + k] * along / s[k];
+        offset += along * along;
+    }
+    for (int32_t j = 0; j < w->n; j++) {
+        const trk_parameter_options *o = &w->c->parameters[j].options;
+        double to = fmin(fmax(u[j] + step[j], log(o->lower)), log(o->upper));
+        largest = fmax(largest, held[j] ? 0 : fabs(to - u[j]));
+    }
+    w->minimum = largest <= stationary || sqrt(offset) <= small_offset;
     return TRK_OK;
 }
 
@@ -110,49 +182,33 @@ static trk_status linearise(judge *w, const double *u)
         return status;
     trk_fit_residuals(w->c, w->y, w->r, gradient ? w->j : NULL);
     w->minimum = true;
-    if (!gradient)
-        return differences(w, u);
-    double largest = 0;
-    /* Without full rank the step says nothing; then the slope J^T r must vanish by itself. */
-    if (trk_fit_gauss_newton(w->c, u, w->r, w->j, w->step)) {
-        for (int32_t j = 0; j < w->n; j++)
-            largest = fmax(largest, fabs(w->step[j]));
-        w->minimum = largest <= stationary || half_square(w->m, w->r) <= 1e-16;
-    }
-    return TRK_OK;
+    return gradient ? look_around(w, u) : differences(w, u);
 }
 
 /* Standard deviations of u from the singular values. */
 static trk_status spread(judge *w)
 {
-    int32_t n = w->n, m = w->m, rank_limit = n < m ? n : m;
-    for (int32_t i = 0; i < m; i++)
-        for (int32_t j = 0; j < n; j++)
-            w->copy[(int64_t)j * m + i] = w->j[(int64_t)i * n + j];
+    int32_t n = w->n;
     double *s = w->c->singular;
-    trk_status status = trk_singular_values(w->c->context, m, n, w->copy, s, w->vt);
+    trk_status status = decompose(w, NULL, s);
     if (status != TRK_OK)
         return status;
     for (int32_t j = 0; j < n; j++) {
         double variance = 0;
         for (int32_t k = 0; k < n; k++) /* directions that the targets do not see */
-            if ((k >= rank_limit || s[k] <= not_seen * s[0]) && fabs(w->vt[j * n + k]) > 1e-6)
+            if (!is_seen(w, s, k) && fabs(w->vt[j * n + k]) > 1e-6)
                 variance = INFINITY;
         for (int32_t t = 0; t < trk_fit_target_count(w->c) && isfinite(variance); t++) {
             const trk_fit_target *target = &w->c->targets[t];
             for (int32_t i = target->first; i < target->first + target->count; i++) {
                 double p = 0; /* entry (j, i) of P = V S^-2 (J V)^T */
-                for (int32_t k = 0; k < rank_limit; k++) {
-                    double jv = 0;
-                    for (int32_t l = 0; l < n; l++)
-                        jv += w->j[(int64_t)i * n + l] * w->vt[l * n + k];
-                    if (s[k] > not_seen * s[0])
-                        p += w->vt[j * n + k] * jv / (s[k] * s[k]);
-                }
+                for (int32_t k = 0; k < n && is_seen(w, s, k); k++)
+                    p += w->vt[j * n + k] * image(w, i, k) / (s[k] * s[k]);
                 variance += p * p * target->options.weight * target->options.weight;
             }
         }
         w->sigma[j] = sqrt(variance);
+        w->c->weakest[j] = w->vt[j * n + n - 1];
     }
     return TRK_OK;
 }
@@ -207,11 +263,13 @@ static void say_missed(judge *w, int32_t worst)
     char why[256] = "the targets contradict each other or the model cannot follow them";
     for (int32_t j = 0; j < w->n; j++)
         if (c->parameters[j].result.at_bound)
-            trk_format(why, sizeof why, "parameter '%s' is at its %s bound %g", parameter_name(c, j),
+            trk_format(why, sizeof why, "parameter '%s' is at its %s bound %g",
+                       parameter_name(c, j),
                        c->parameters[j].result.at_bound < 0 ? "lower" : "upper",
                        c->parameters[j].result.fitted);
     trk_format(c->verdict, sizeof c->verdict,
-               "target '%s' cannot be reached: %g at best, %g measured, %.1f standard uncertainties off; %s",
+               "target '%s' cannot be reached: %g at best, %g measured, %.1f standard "
+               "uncertainties off; %s",
                trk_names_text(&c->target_names, worst + 1), result->after, result->measured,
                fabs(result->residual), why);
 }
@@ -227,17 +285,23 @@ static void conclude(judge *w, trk_status stopped)
         if (!c->parameters[j].result.determined)
             unknown = j;
     c->outcome = TRK_OK;
-    if (stopped == TRK_E_LIMIT || stopped == TRK_E_CANCELLED) {
+    bool found = w->minimum && trk_fit_has_gradient(c); /* then the limit came after the minimum */
+    if ((stopped == TRK_E_LIMIT && !found) || stopped == TRK_E_CANCELLED) {
         c->outcome = stopped;
-        trk_format(c->verdict, sizeof c->verdict, "%s after %lld evaluations; target '%s' is %.3g standard uncertainties off",
-                   stopped == TRK_E_LIMIT ? "stopped by the limit of evaluations or time" : "cancelled",
+        trk_format(c->verdict, sizeof c->verdict,
+                   "%s after %lld evaluations; target '%s' is %.3g standard uncertainties off",
+                   stopped == TRK_E_LIMIT ? "stopped by the limit of evaluations or time"
+                                          : "cancelled",
                    (long long)c->evaluations, trk_names_text(&c->target_names, worst + 1),
                    fabs(c->targets[worst].result.residual));
     } else if (!w->minimum) {
         c->outcome = TRK_E_CONVERGENCE;
-        trk_format(c->verdict, sizeof c->verdict,
-                   "no minimum was reached in %lld evaluations, %lld of which failed",
-                   (long long)c->evaluations, (long long)c->failures);
+        trk_format(
+            c->verdict, sizeof c->verdict,
+            "no minimum was reached in %lld evaluations, %lld of which failed; target '%s' is "
+            "%.3g standard uncertainties off; its mode or peak may change abruptly there",
+            (long long)c->evaluations, (long long)c->failures,
+            trk_names_text(&c->target_names, worst + 1), fabs(c->targets[worst].result.residual));
     } else if (!c->targets[worst].result.met) {
         c->outcome = TRK_E_TARGET;
         say_missed(w, worst);
@@ -245,7 +309,8 @@ static void conclude(judge *w, trk_status stopped)
         c->outcome = TRK_E_IDENTIFY;
         trk_format(c->verdict, sizeof c->verdict,
                    isfinite(w->sigma[unknown])
-                       ? "parameter '%s' is not determined: the targets leave it a factor of %.3g up or down"
+                       ? "parameter '%s' is not determined: the targets leave it a factor of %.3g "
+                         "up or down"
                        : "parameter '%s' is not determined: the targets do not depend on it alone",
                    parameter_name(c, unknown), exp(normal95 * w->sigma[unknown]));
     } else {
@@ -260,7 +325,8 @@ static trk_status run(judge *w, const double *u, trk_status stopped)
     if (status == TRK_E_MEMORY)
         return status;
     if (status != TRK_OK)
-        return trk_fail_within(w->c->context, TRK_E_CONVERGENCE, "the answer cannot be evaluated again");
+        return trk_fail_within(w->c->context, TRK_E_CONVERGENCE,
+                               "the answer cannot be evaluated again");
     status = spread(w);
     if (status != TRK_OK)
         return status;

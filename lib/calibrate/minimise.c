@@ -29,7 +29,8 @@ trk_status trk_fit_count(trk_calibration *calibration, trk_fit_watch *watch)
     if (watch->used >= watch->allowed || trk_fit_clock() > watch->deadline)
         return TRK_E_LIMIT;
     if (watch->progress &&
-        watch->progress(watch->user, (double)watch->used / (double)watch->allowed))
+        watch->progress(watch->user,
+                        watch->done + watch->share * (double)watch->used / (double)watch->allowed))
         return TRK_E_CANCELLED;
     watch->used++;
     calibration->evaluations++;
@@ -42,6 +43,10 @@ trk_status trk_fit_count(trk_calibration *calibration, trk_fit_watch *watch)
 
 static const double failed_residual = 1e4; /* far outside of any measurement, but finite */
 static const double small_residual = 1e-9; /* standard uncertainties: exact for this purpose */
+static const double small_step = 1e-4;     /* of u: all the rest is rounding and curvature   */
+static const double smallest_step = 1e-10;
+static const double close_by = 0.02; /* of u: it would end at the answer known          */
+static const int64_t patience = 20;  /* evaluations without a lower Q: it is stuck     */
 
 typedef struct work {
     trk_calibration *c;
@@ -49,11 +54,26 @@ typedef struct work {
     nlopt_opt optimiser;
     int32_t parameters, values;
     bool evaluated, gradient;
-    trk_status stop;          /* why the callbacks stopped NLopt; TRK_OK: they did not */
-    bool met;                 /* they stopped it because nothing is left to gain       */
+    trk_status stop;              /* why the callbacks stopped NLopt; TRK_OK: they did not */
+    bool done;                    /* they stopped it because nothing is left to gain       */
+    int64_t idle;                 /* evaluations since Q fell last                         */
     double *u, *y, *r, *jacobian; /* at the point evaluated last                       */
     double *best_u, best_q;
 } work;
+
+static void stop_optimiser(work *w)
+{
+    if (w->optimiser) /* not outside of nlopt_optimize() */
+        (void)nlopt_force_stop(w->optimiser);
+}
+
+static bool is_known(const work *w, const double *u)
+{
+    double distance = w->watch->known ? 0 : INFINITY;
+    for (int32_t j = 0; j < w->parameters && w->watch->known; j++)
+        distance = fmax(distance, fabs(u[j] - w->watch->known[j]));
+    return distance < close_by;
+}
 
 /* Residuals and, with gradients, Jacobian at u, from memory if they are known. */
 static void evaluate(work *w, const double *u)
@@ -70,8 +90,15 @@ static void evaluate(work *w, const double *u)
     }
     if (w->stop != TRK_OK || status == TRK_E_MEMORY) {
         w->stop = status;
-        nlopt_force_stop(w->optimiser);
+        stop_optimiser(w);
         return;
+    }
+    w->idle++;
+    if (w->gradient && w->idle > patience)
+        stop_optimiser(w);
+    if (is_known(w, u)) {
+        w->stop = TRK_E_CONVERGENCE;
+        stop_optimiser(w);
     }
     if (status != TRK_OK) { /* the Jacobian of the last good point stays */
         w->c->failures++;
@@ -86,12 +113,14 @@ static void evaluate(work *w, const double *u)
         largest = fmax(largest, fabs(w->r[i]));
     }
     if (q < w->best_q) {
+        if (q < 0.999 * w->best_q)
+            w->idle = 0;
         w->best_q = q;
         memcpy(w->best_u, u, size);
     }
     if (largest <= small_residual) {
-        w->met = true;
-        nlopt_force_stop(w->optimiser);
+        w->done = true;
+        stop_optimiser(w);
     }
 }
 
@@ -119,9 +148,8 @@ static void slack_constraint(unsigned values, double *out, unsigned count, const
         out[i] = w->r[i] - x[(unsigned)w->parameters + i];
         for (unsigned k = 0; gradient && k < count; k++)
             gradient[(size_t)i * count + k] =
-                k < (unsigned)w->parameters
-                    ? w->jacobian[(size_t)i * (unsigned)w->parameters + k]
-                    : -(double)(k - (unsigned)w->parameters == i);
+                k < (unsigned)w->parameters ? w->jacobian[(size_t)i * (unsigned)w->parameters + k]
+                                            : -(double)(k - (unsigned)w->parameters == i);
     }
 }
 
@@ -159,6 +187,10 @@ static trk_status optimise(work *w, const double *u, double *x)
             result = nlopt_add_equality_mconstraint(w->optimiser, m, slack_constraint, w, NULL);
         if (result >= 0)
             result = nlopt_set_xtol_rel(w->optimiser, 1e-10);
+        /* SLSQP can call for one point for ever, which counts as one evaluation only. */
+        if (result >= 0)
+            result = nlopt_set_maxeval(w->optimiser,
+                                       (int)fmin(2000 + 2.0 * (double)w->watch->allowed, 1e9));
     } else if (result >= 0) {
         result = nlopt_set_min_objective(w->optimiser, plain_objective, w);
         if (result >= 0)
@@ -170,33 +202,49 @@ static trk_status optimise(work *w, const double *u, double *x)
     if (result >= 0)
         result = nlopt_optimize(w->optimiser, x, &ignored);
     nlopt_destroy(w->optimiser);
+    w->optimiser = NULL;
     if (result == NLOPT_OUT_OF_MEMORY)
         return trk_fail(w->c->context, TRK_E_MEMORY, "out of memory in NLopt");
     /* Whether the point is a minimum is for trk_fit_judge() to say, not for NLopt. */
     return w->stop;
 }
 
-/* Gauss-Newton steps from the best point as long as they help: NLopt stops a little early. */
-static trk_status polish(work *w)
+/* One Gauss-Newton step from the best point, halved until it helps; false: none helps.
+ * *out_size is its largest component. */
+static bool improve(work *w, double *out_size)
 {
-    double step[TRK_MAX_PARAMETERS], trial[TRK_MAX_PARAMETERS];
-    for (int round = 0; round < 8 && !w->met; round++) {
-        evaluate(w, w->best_u);
-        if (w->stop != TRK_OK ||
-            !trk_fit_gauss_newton(w->c, w->best_u, w->r, w->jacobian, step))
-            break;
-        double largest = 0, before = w->best_q;
-        for (int32_t j = 0; j < w->parameters; j++) {
-            trial[j] = w->best_u[j] + step[j];
-            largest = fmax(largest, fabs(step[j]));
-        }
-        if (largest < 1e-10)
-            break;
+    double step[TRK_MAX_PARAMETERS], trial[TRK_MAX_PARAMETERS], before = w->best_q, size = 0;
+    evaluate(w, w->best_u);
+    if (w->stop != TRK_OK || !trk_fit_gauss_newton(w->c, w->best_u, w->r, w->jacobian, step))
+        return false;
+    for (int32_t j = 0; j < w->parameters; j++)
+        size = fmax(size, fabs(step[j]));
+    *out_size = size;
+    double origin[TRK_MAX_PARAMETERS];
+    memcpy(origin, w->best_u, sizeof *origin * (size_t)w->parameters);
+    for (double part = 1; w->stop == TRK_OK && part * size > smallest_step; part /= 2) {
+        for (int32_t j = 0; j < w->parameters; j++)
+            trial[j] = origin[j] + part * step[j];
         evaluate(w, trial);
-        if (w->stop != TRK_OK || !(w->best_q < before))
+        if (w->best_q < before)
+            return true;
+        if (size <= small_step || part < 0.01)
             break;
     }
-    return w->stop;
+    return false;
+}
+
+/* Gauss-Newton steps as long as they help: NLopt stops a little early, or is stuck.
+ * TRK_E_CONVERGENCE: the last of them was not small. */
+static trk_status polish(work *w)
+{
+    double size = INFINITY;
+    for (int round = 0; round < 20 && !w->done; round++)
+        if (!improve(w, &size))
+            break;
+    if (w->stop != TRK_OK)
+        return w->stop;
+    return w->done || size <= small_step ? TRK_OK : TRK_E_CONVERGENCE;
 }
 
 static trk_status run(work *w, double *u, double *x)
@@ -206,7 +254,7 @@ static trk_status run(work *w, double *u, double *x)
         return w->stop;
     if (!isfinite(w->best_q)) /* the message of the evaluation says why */
         return TRK_E_CONVERGENCE;
-    trk_status status = w->met ? TRK_OK : optimise(w, u, x);
+    trk_status status = w->done ? TRK_OK : optimise(w, u, x);
     if (status == TRK_OK && w->gradient)
         status = polish(w);
     memcpy(u, w->best_u, (size_t)w->parameters * sizeof *u);

@@ -49,7 +49,8 @@ static void get_matrices(const trk_model *model, matrices *m)
 }
 
 /* a^T S b for a symmetric S */
-static double complex form(int32_t n, const double complex *a, const double *s, const double complex *b)
+static double complex form(int32_t n, const double complex *a, const double *s,
+                           const double complex *b)
 {
     double complex sum = 0;
     for (int32_t i = 0; i < n; i++) {
@@ -62,7 +63,8 @@ static double complex form(int32_t n, const double complex *a, const double *s, 
 }
 
 /* s^T M phi of a mode for a real shape s */
-static double complex overlap(const modal *w, const trk_modes *modes, int32_t mode, const double *shape)
+static double complex overlap(const modal *w, const trk_modes *modes, int32_t mode,
+                              const double *shape)
 {
     (void)!trk_modes_get_shape(modes, mode, w->re, w->im);
     double complex sum = 0;
@@ -117,14 +119,16 @@ static trk_status pick_mode(modal *w, const trk_modes *modes, bool damped, int32
     int32_t mode = find_mode(w, modes, damped, shape);
     p->phi = w->phi + (int64_t)t * w->n;
     if (!mode)
-        return trk_fail(w->c->context, TRK_E_TARGET, "target '%s': no mode of the model oscillates there",
+        return trk_fail(w->c->context, TRK_E_TARGET,
+                        "target '%s': no mode of the model oscillates there",
                         trk_names_text(&w->c->target_names, t + 1));
     if (!damped) {
         p->lambda = I * two_pi * trk_modes_frequency(modes, mode);
         mix_equal(w, modes, mode, shape, p->phi);
         return TRK_OK;
     }
-    double size = two_pi * trk_modes_frequency(modes, mode), ratio = trk_modes_damping_ratio(modes, mode);
+    double size = two_pi * trk_modes_frequency(modes, mode),
+           ratio = trk_modes_damping_ratio(modes, mode);
     p->lambda = -ratio * size + I * two_pi * trk_modes_damped_frequency(modes, mode);
     (void)!trk_modes_get_shape(modes, mode, w->re, w->im);
     for (int32_t i = 0; i < w->n; i++)
@@ -134,7 +138,8 @@ static trk_status pick_mode(modal *w, const trk_modes *modes, bool damped, int32
 
 static double value_of(trk_target kind, double complex lambda)
 {
-    return kind == TRK_TARGET_DAMPING_RATIO ? -creal(lambda) / cabs(lambda) : cimag(lambda) / two_pi;
+    return kind == TRK_TARGET_DAMPING_RATIO ? -creal(lambda) / cabs(lambda)
+                                            : cimag(lambda) / two_pi;
 }
 
 /* d value, given d lambda. */
@@ -177,8 +182,8 @@ static double complex lambda_slope(const modal *w, trk_target kind, const pick *
     if (kind == TRK_TARGET_UNDAMPED_FREQUENCY) /* of omega = Im l: d(omega^2) = 2 omega d omega */
         return I * (k + l * l * m) / (2 * cimag(l));
     double complex cc = form(w->n, p->phi, d->damping, p->phi);
-    return -(l * l * m + l * cc + k) /
-           (2 * l * form(w->n, p->phi, w->now.mass, p->phi) + form(w->n, p->phi, w->now.damping, p->phi));
+    return -(l * l * m + l * cc + k) / (2 * l * form(w->n, p->phi, w->now.mass, p->phi) +
+                                        form(w->n, p->phi, w->now.damping, p->phi));
 }
 
 static trk_status matrices_at(modal *w, double *u, int32_t parameter, double step, matrices *out)
@@ -214,7 +219,8 @@ static trk_status gradient(modal *w, double *u, int32_t parameter, double *jacob
     return TRK_OK;
 }
 
-static trk_status run(modal *w, const double *u, const trk_model *model, double *out_y, double *out_jacobian)
+static trk_status run(modal *w, const double *u, const trk_model *model, double *out_y,
+                      double *out_jacobian)
 {
     double moved[TRK_MAX_PARAMETERS];
     int32_t parameters = trk_fit_parameter_count(w->c);

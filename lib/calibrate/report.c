@@ -29,8 +29,8 @@ static void add_parameters(text *t, const trk_calibration *c)
     add(t, "%-24s %12s %12s %12s %12s\n", "parameter", "start", "fitted", "low 95 %", "high 95 %");
     for (int32_t j = 0; j < trk_fit_parameter_count(c); j++) {
         const trk_parameter_result *p = &c->parameters[j].result;
-        add(t, "%-24s %12.6g %12.6g %12.6g %12.6g%s%s\n", trk_names_text(&c->parameter_names, j + 1),
-            p->start, p->fitted, p->low95, p->high95,
+        add(t, "%-24s %12.6g %12.6g %12.6g %12.6g%s%s\n",
+            trk_names_text(&c->parameter_names, j + 1), p->start, p->fitted, p->low95, p->high95,
             p->at_bound < 0   ? "  at the lower bound"
             : p->at_bound > 0 ? "  at the upper bound"
                               : "",
@@ -71,12 +71,29 @@ const char *trk_calibration_report(const trk_calibration *calibration)
     return calibration && calibration->solved ? calibration->report : "";
 }
 
+/* Sentence for results asked too early or of something that is not there. */
+static trk_status require_result(const trk_calibration *c, const void *out, const char *what,
+                                 int32_t id, int32_t count)
+{
+    if (!c || !out)
+        return trk_fail(c ? c->context : NULL, TRK_E_ARGUMENT, "%s: a pointer is NULL", what);
+    if (!c->solved)
+        return trk_fail(c->context, TRK_E_ARGUMENT, "%s: nothing was solved since the last change",
+                        what);
+    if (id < 1 || id > count)
+        return trk_fail(c->context, TRK_E_ARGUMENT, "%s: there is no number %d among %d", what, id,
+                        count);
+    return TRK_OK;
+}
+
 trk_status trk_calibration_get_parameter(const trk_calibration *calibration, int32_t parameter,
                                          trk_parameter_result *out_result)
 {
-    if (!calibration || !out_result || !calibration->solved || parameter < 1 ||
-        parameter > trk_fit_parameter_count(calibration))
-        return TRK_E_ARGUMENT;
+    trk_status status =
+        require_result(calibration, out_result, "trk_calibration_get_parameter", parameter,
+                       calibration ? trk_fit_parameter_count(calibration) : 0);
+    if (status != TRK_OK)
+        return status;
     return trk_write_options(out_result, &calibration->parameters[parameter - 1].result,
                              sizeof *out_result);
 }
@@ -84,10 +101,12 @@ trk_status trk_calibration_get_parameter(const trk_calibration *calibration, int
 trk_status trk_calibration_get_target(const trk_calibration *calibration, int32_t target,
                                       trk_target_result *out_result)
 {
-    if (!calibration || !out_result || !calibration->solved || target < 1 ||
-        target > trk_fit_target_count(calibration))
-        return TRK_E_ARGUMENT;
-    return trk_write_options(out_result, &calibration->targets[target - 1].result, sizeof *out_result);
+    trk_status status = require_result(calibration, out_result, "trk_calibration_get_target",
+                                       target, calibration ? trk_fit_target_count(calibration) : 0);
+    if (status != TRK_OK)
+        return status;
+    return trk_write_options(out_result, &calibration->targets[target - 1].result,
+                             sizeof *out_result);
 }
 
 int64_t trk_calibration_evaluations(const trk_calibration *calibration)
@@ -103,8 +122,10 @@ int64_t trk_calibration_failures(const trk_calibration *calibration)
 trk_status trk_calibration_get_jacobian(const trk_calibration *calibration, double *out_jacobian,
                                         double *out_singular)
 {
-    if (!calibration || !calibration->solved)
-        return TRK_E_ARGUMENT;
+    trk_status status =
+        require_result(calibration, calibration, "trk_calibration_get_jacobian", 1, 1);
+    if (status != TRK_OK)
+        return status;
     int32_t n = trk_fit_parameter_count(calibration), m = calibration->value_count;
     if (out_jacobian)
         memcpy(out_jacobian, calibration->jacobian, (size_t)n * (size_t)m * sizeof *out_jacobian);
@@ -130,15 +151,16 @@ static trk_status find_parts(const trk_calibration *c, const trk_spec *spec, int
 
 trk_status trk_calibration_apply(trk_calibration *calibration, trk_spec *spec)
 {
-    if (!calibration || !spec || !calibration->solved)
-        return TRK_E_ARGUMENT;
+    trk_status status = require_result(calibration, spec, "trk_calibration_apply", 1, 1);
+    if (status != TRK_OK)
+        return status;
     double u[TRK_MAX_PARAMETERS];
     for (int32_t j = 0; j < trk_fit_parameter_count(calibration); j++)
         u[j] = log(calibration->parameters[j].result.fitted);
     int32_t *part_of = trk_new(calibration->context, calibration->action_count, sizeof *part_of);
     if (!part_of)
         return TRK_E_MEMORY;
-    trk_status status = find_parts(calibration, spec, part_of);
+    status = find_parts(calibration, spec, part_of);
     if (status == TRK_OK)
         status = trk_fit_apply(calibration, u, spec, part_of);
     trk_free(calibration->context, part_of);

@@ -12,7 +12,7 @@ static const trk_run_options run_defaults = {.struct_size = sizeof run_defaults,
                                              .duration = 480,
                                              .step = 1e-3,
                                              .segment_length = 8192,
-                                             .overlap = 0.75};
+                                             .overlap = 0.9};
 
 void trk_target_options_init(trk_target_options *options, size_t struct_size)
 {
@@ -42,8 +42,9 @@ static trk_status copy_array(trk_context *context, const char *target, const cha
         return trk_fail(context, TRK_E_ARGUMENT, "target '%s': %s is NULL", target, what);
     for (int64_t k = 0; k < count; k++)
         if (!isfinite(from[k]) || from[k] < least)
-            return trk_fail(context, TRK_E_RANGE, "target '%s': %s[%lld] is %g; a finite number%s is needed",
-                            target, what, (long long)k, from[k], least >= 0 ? " > 0" : "");
+            return trk_fail(context, TRK_E_RANGE,
+                            "target '%s': %s[%lld] is %g; a finite number%s is needed", target,
+                            what, (long long)k, from[k], least >= 0 ? " > 0" : "");
     double *copy = trk_new(context, count, sizeof *copy);
     if (!copy)
         return TRK_E_MEMORY;
@@ -59,10 +60,12 @@ static trk_status read_shape(trk_calibration *c, const char *name, const trk_tar
     int32_t n = trk_model_count(c->model, TRK_PART_COORDINATE);
     if ((given->coordinate == NULL) == (given->shape == NULL))
         return trk_fail(c->context, TRK_E_ARGUMENT,
-                        "target '%s': a mode is picked by coordinate or by shape, one of them", name);
+                        "target '%s': a mode is picked by coordinate or by shape, one of them",
+                        name);
     if (given->shape) {
         const double *shape;
-        trk_status status = copy_array(c->context, name, "shape", n, given->shape, -INFINITY, &shape);
+        trk_status status =
+            copy_array(c->context, name, "shape", n, given->shape, -INFINITY, &shape);
         target->shape = (double *)shape;
         double largest = 0;
         for (int32_t i = 0; status == TRK_OK && i < n; i++)
@@ -97,12 +100,12 @@ static trk_status read_curve(trk_calibration *c, const char *name, const trk_tar
 {
     o->frequency = o->magnitude = o->road_gain = NULL;
     if (o->count < 1 || o->count > TRK_MAX_VALUES)
-        return trk_fail(c->context, TRK_E_RANGE, "target '%s': %lld points; 1 to %d are needed", name,
-                        (long long)o->count, TRK_MAX_VALUES);
+        return trk_fail(c->context, TRK_E_RANGE, "target '%s': %lld points; 1 to %d are needed",
+                        name, (long long)o->count, TRK_MAX_VALUES);
     if (o->uncertainty == 0)
         o->uncertainty = 0.01;
-    trk_status status =
-        copy_array(c->context, name, "frequency", o->count, given->frequency, 1e-300, &o->frequency);
+    trk_status status = copy_array(c->context, name, "frequency", o->count, given->frequency,
+                                   1e-300, &o->frequency);
     for (int64_t k = 1; status == TRK_OK && k < o->count; k++)
         if (!(o->frequency[k] > o->frequency[k - 1]))
             status = trk_fail(c->context, TRK_E_RANGE,
@@ -126,9 +129,11 @@ static trk_status read_sensor(trk_calibration *c, const char *name, const trk_ta
     if (!target->sensor)
         return trk_fail(c->context, TRK_E_NAME, "target '%s': '%s' has no sensor '%s'", name,
                         trk_model_name(c->model), o->sensor);
-    if (!isfinite(o->low) || !isfinite(o->high) || o->low < 0 || (o->high != 0 && o->high <= o->low))
+    if (!isfinite(o->low) || !isfinite(o->high) || o->low < 0 ||
+        (o->high != 0 && o->high <= o->low))
         return trk_fail(c->context, TRK_E_RANGE,
-                        "target '%s': band %g to %g Hz; 0 <= low < high is needed", name, o->low, o->high);
+                        "target '%s': band %g to %g Hz; 0 <= low < high is needed", name, o->low,
+                        o->high);
     return TRK_OK;
 }
 
@@ -147,9 +152,10 @@ static trk_status read_target(trk_calibration *c, const char *name, const trk_ta
         return trk_fail(context, TRK_E_ARGUMENT, "target '%s': there is no kind %d", name, o.kind);
     if (!isfinite(o.uncertainty) || o.uncertainty < 0 || !isfinite(o.weight) || o.weight <= 0)
         return trk_fail(context, TRK_E_RANGE,
-                        "target '%s': uncertainty %g and weight %g; finite numbers > 0 are needed", name,
-                        o.uncertainty, o.weight);
-    status = is_modal(o.kind) ? read_shape(c, name, &read, target) : read_sensor(c, name, &read, target);
+                        "target '%s': uncertainty %g and weight %g; finite numbers > 0 are needed",
+                        name, o.uncertainty, o.weight);
+    status =
+        is_modal(o.kind) ? read_shape(c, name, &read, target) : read_sensor(c, name, &read, target);
     if (status == TRK_OK)
         status = is_curve(o.kind) ? read_curve(c, name, &read, &target->options)
                                   : read_value(context, name, &target->options);
@@ -180,8 +186,9 @@ trk_status trk_calibration_add_target(trk_calibration *calibration, const char *
     trk_fit_target target = {0};
     trk_status status = read_target(calibration, name, options, &target);
     if (status == TRK_OK)
-        status = trk_grow(context, (void **)&calibration->targets, &calibration->target_capacity,
-                          (int64_t)trk_fit_target_count(calibration) + 1, sizeof *calibration->targets);
+        status =
+            trk_grow(context, (void **)&calibration->targets, &calibration->target_capacity,
+                     (int64_t)trk_fit_target_count(calibration) + 1, sizeof *calibration->targets);
     if (status == TRK_OK)
         status = trk_names_add(context, &calibration->target_names, "target", name);
     if (status != TRK_OK) {
@@ -210,13 +217,15 @@ trk_status trk_calibration_set_run(trk_calibration *calibration, const trk_excit
     if (!isfinite(run.duration) || run.duration <= 0 || !isfinite(run.step) || run.step <= 0 ||
         run.segment_length < 8 || !(run.overlap >= 0 && run.overlap < 1) ||
         (double)run.segment_length * run.step > run.duration)
-        return trk_fail(context, TRK_E_RANGE,
-                        "trk_run_options: %g s at %g s a step, segments of %lld samples, overlap %g: "
-                        "positive numbers, at least one segment of 8 samples, 0 <= overlap < 1 are needed",
-                        run.duration, run.step, (long long)run.segment_length, run.overlap);
+        return trk_fail(
+            context, TRK_E_RANGE,
+            "trk_run_options: %g s at %g s a step, segments of %lld samples, overlap %g: "
+            "positive numbers, at least one segment of 8 samples, 0 <= overlap < 1 are needed",
+            run.duration, run.step, (long long)run.segment_length, run.overlap);
     if (trk_excitation_roads(excitation) != trk_model_count(calibration->model, TRK_PART_ROAD) ||
         trk_excitation_ports(excitation) != trk_model_count(calibration->model, TRK_PART_PORT))
-        return trk_fail(context, TRK_E_ARGUMENT, "the excitation was made for another vehicle than '%s'",
+        return trk_fail(context, TRK_E_ARGUMENT,
+                        "the excitation was made for another vehicle than '%s'",
                         trk_model_name(calibration->model));
     calibration->excitation = excitation;
     calibration->run = run;
