@@ -12,26 +12,6 @@
 
 #include <stdlib.h>
 
-void check(trk_context *context, trk_status status)
-{
-    if (status == TRK_OK)
-        return;
-    fprintf(stderr, "road_simulator: %s: %s\n", trk_status_text(status), trk_context_message(context));
-    exit(1);
-}
-
-FILE *open_result(const char *directory, const char *name)
-{
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", directory, name);
-    FILE *file = fopen(path, "w");
-    if (!file) {
-        perror(path);
-        exit(1);
-    }
-    return file;
-}
-
 int main(int argc, char **argv)
 {
     const char *directory = argc > 1 ? argv[1] : ".";

@@ -2,7 +2,6 @@
 /* Sweep 0.8 to 20 Hz in 480 s, three front-axle dampers, three models. */
 #include "road_simulator.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,62 +39,11 @@ enum { MODELS = sizeof models / sizeof *models };
 static trk_model *create_model(trk_context *context, const study_model *m, double damper_scale)
 {
     trk_spec *spec;
-    trk_model *model;
-    check(context, trk_vehicle_create_builtin(context, m->vehicle, TRK_VARIANT_THESIS_DAMPERS, &spec));
-    for (int k = 0; k < 2 && m->front_damper[k]; k++) {
-        trk_link_options damper;
-        int32_t id = trk_spec_find(spec, TRK_PART_LINK, m->front_damper[k]);
-        trk_link_options_init(&damper, sizeof damper);
-        check(context, trk_spec_get_link(spec, id, &damper));
-        damper.damper_scale = damper_scale;
-        check(context, trk_spec_set_link(spec, id, &damper));
-    }
-    check(context, trk_model_compile(context, spec, NULL, &model));
-    trk_spec_destroy(spec);
-    return model;
-}
-
-/* All wheels in phase, as on the rig. */
-static trk_series *run_sweep(trk_context *context, const trk_model *model, double amplitude)
-{
-    trk_sweep_options sweep;
-    trk_sweep_options_init(&sweep, sizeof sweep);
-    sweep.amplitude = amplitude;
-    trk_simulate_options run;
-    trk_simulate_options_init(&run, sizeof run);
-    run.duration = sweep.duration;
-    trk_signal *signal;
-    trk_excitation *excitation;
-    trk_series *series;
-    check(context, trk_signal_create_sweep(context, &sweep, &signal));
-    check(context, trk_excitation_create(context, model, &excitation));
-    check(context, trk_excitation_add_motion(excitation, TRK_ROAD_ALL, signal, 1, 0));
-    check(context, trk_simulate(context, model, excitation, NULL, &run, NULL, NULL, &series));
-    trk_excitation_destroy(excitation);
-    trk_signal_destroy(signal);
-    return series;
-}
-
-/* Segments of 8.192 s: 0.12 Hz apart. The sweep passes each frequency once, so all times must
- * weigh the same: squared Hann windows add up to a constant from 75 % overlap on. */
-static void spectrum_settings(trk_spectrum_options *settings)
-{
-    trk_spectrum_options_init(settings, sizeof *settings);
-    settings->segment_length = 8192;
-    settings->overlap = 0.75;
-}
-
-static double *psd_of(trk_context *context, const trk_series *series, int32_t channel)
-{
-    trk_spectrum_options settings;
-    spectrum_settings(&settings);
-    int64_t samples = trk_series_samples(series);
-    double *density = malloc((size_t)trk_psd_length(&settings, samples) * sizeof *density);
-    if (!density)
-        exit(1);
-    check(context, trk_psd(context, samples, trk_series_data(series, channel), trk_series_rate(series),
-                           &settings, density));
-    return density;
+    check(context,
+          trk_vehicle_create_builtin(context, m->vehicle, TRK_VARIANT_THESIS_DAMPERS, &spec));
+    for (int k = 0; k < 2 && m->front_damper[k]; k++)
+        set_damper_scale(context, spec, m->front_damper[k], damper_scale);
+    return compile(context, spec);
 }
 
 /* One line of the table for each accelerometer; no peak where symmetry leaves only rounding. */
@@ -103,31 +51,24 @@ static void write_rows(trk_context *context, const char *model, const char *conf
                        const trk_series *series, FILE *table)
 {
     trk_spectrum_options settings;
-    spectrum_settings(&settings);
-    int64_t samples = trk_series_samples(series), length = trk_psd_length(&settings, samples);
-    double step = trk_series_rate(series) / (double)settings.segment_length;
+    spectrum_settings(&settings, SMOOTH_OVERLAP);
+    int64_t length = trk_psd_length(&settings, trk_series_samples(series));
     for (int32_t channel = 1; channel <= trk_series_channels(series); channel++) {
         const char *name = trk_series_name(series, channel);
         if (strcmp(trk_series_unit(series, channel), "m/s^2") != 0)
             continue;
-        const double *x = trk_series_data(series, channel);
-        double square = 0, frequency = 0;
-        for (int64_t k = 0; k < samples; k++)
-            square += x[k] * x[k];
-        double rms = sqrt(square / (double)samples);
-        char line[512], peak[32] = "";
-        if (rms > 1e-9) {
+        double frequency, rms = rms_of(series, name);
+        char peak[32] = "";
+        if (rms > 0) {
             int64_t found;
-            double *density = psd_of(context, series, channel);
-            check(context, trk_psd_peaks(context, length, density, step, NULL, 1, &frequency, NULL,
-                                         NULL, &found));
+            double *density = psd_of(context, series, name, &settings);
+            check(context,
+                  trk_psd_peaks(context, length, density, frequency_step(series, &settings), NULL,
+                                1, &frequency, NULL, NULL, &found));
             snprintf(peak, sizeof peak, "%.2f", frequency);
             free(density);
         }
-        snprintf(line, sizeof line, "%s,%s,%s,%s,%.6g\n", model, name, configuration_name, peak,
-                 rms > 1e-9 ? rms : 0.0);
-        fputs(line, stdout);
-        fputs(line, table);
+        print_both(table, "%s,%s,%s,%s,%.6g\n", model, name, configuration_name, peak, rms);
     }
 }
 
@@ -137,9 +78,9 @@ static void write_spectra(trk_context *context, const study_model *m, int count,
 {
     char name[64];
     trk_spectrum_options settings;
-    spectrum_settings(&settings);
+    spectrum_settings(&settings, SMOOTH_OVERLAP);
     int64_t length = trk_psd_length(&settings, trk_series_samples(series[0]));
-    double step = trk_series_rate(series[0]) / (double)settings.segment_length;
+    double step = frequency_step(series[0], &settings);
     double *column[SHOWN * CONFIGURATIONS] = {NULL};
     int columns = 0;
     snprintf(name, sizeof name, "psd_%s.csv", m->name);
@@ -148,7 +89,7 @@ static void write_spectra(trk_context *context, const study_model *m, int count,
     for (int k = 0; k < SHOWN && m->shown[k]; k++) {
         double reference = 0;
         for (int c = 0; c < count; c++, columns++) {
-            column[columns] = psd_of(context, series[c], trk_series_find(series[c], m->shown[k]));
+            column[columns] = psd_of(context, series[c], m->shown[k], &settings);
             check(context, trk_psd_normalise(context, length, column[columns], reference,
                                              column[columns], c == 0 ? &reference : NULL));
             fprintf(file, ",%s %s", m->shown[k], configurations[c].name);
@@ -181,8 +122,7 @@ static void write_signals(trk_context *context, const char *model, const char *c
 void run_study(trk_context *context, const char *directory, double amplitude)
 {
     FILE *table = open_result(directory, "peaks.csv");
-    fputs("model,channel,configuration,peak_hz,rms\n", stdout);
-    fputs("model,channel,configuration,peak_hz,rms\n", table);
+    print_both(table, "model,channel,configuration,peak_hz,rms\n");
     for (int m = 0; m < MODELS; m++) {
         trk_series *series[CONFIGURATIONS];
         int count = models[m].front_damper[0] ? CONFIGURATIONS : 1;

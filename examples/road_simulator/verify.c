@@ -104,12 +104,11 @@ static void runge_kutta(const equations *e, double t, double h, double *y)
 
 /* Both integrators side by side; one row per coordinate into the table, signals into a file. */
 static void compare(trk_context *context, const char *name, const char *input,
-                    const trk_model *model, const trk_signal *road, const char *directory, FILE *table)
+                    const trk_model *model, const trk_signal *road, const char *directory,
+                    FILE *table)
 {
-    equations *e = malloc(sizeof *e);
+    equations *e = allocate(sizeof *e);
     trk_newmark *stepper;
-    if (!e)
-        exit(1);
     write_out(context, model, road, e);
     check(context, trk_newmark_create(context, model, NULL, &stepper));
     double h = trk_newmark_step_size(stepper), q[MAX_N], y[2 * MAX_N] = {0};
@@ -153,23 +152,12 @@ static void compare(trk_context *context, const char *name, const char *input,
     for (int32_t i = 0; i < e->n; i++) {
         if (peak[i] < 1e-12) /* left and right wheels move alike: nothing but rounding */
             continue;
-        char line[256];
-        snprintf(line, sizeof line, "%s,%s,%s,%.4g,%.2e,%.2e\n", name, input,
-                 trk_model_part_name(model, TRK_PART_COORDINATE, i + 1), peak[i], difference[i],
-                 difference[i] / peak[i]);
-        fputs(line, stdout);
-        fputs(line, table);
+        print_both(table, "%s,%s,%s,%.4g,%.2e,%.2e\n", name, input,
+                   trk_model_part_name(model, TRK_PART_COORDINATE, i + 1), peak[i], difference[i],
+                   difference[i] / peak[i]);
     }
     trk_newmark_destroy(stepper);
     free(e);
-}
-
-static trk_model *compile(trk_context *context, trk_spec *spec)
-{
-    trk_model *model;
-    check(context, trk_model_compile(context, spec, NULL, &model));
-    trk_spec_destroy(spec);
-    return model;
 }
 
 void run_verification(trk_context *context, const char *directory)
@@ -194,10 +182,8 @@ void run_verification(trk_context *context, const char *directory)
     check(context, trk_signal_create_sine(context, 0.01, 1, 0, 0, &sine));
 
     FILE *table = open_result(directory, "verification.csv");
-    const char *head = "model,input,coordinate,peak,largest_difference,relative\n";
     fputs("\n", stdout);
-    fputs(head, stdout);
-    fputs(head, table);
+    print_both(table, "model,input,coordinate,peak,largest_difference,relative\n");
     for (int k = 0; k < 4; k++) {
         compare(context, name[k], "step", model[k], step, directory, table);
         compare(context, name[k], "sine", model[k], sine, directory, table);
