@@ -13,7 +13,8 @@ static int32_t call_dgesvd(int32_t rows, int32_t columns, double *a, double *s, 
     const int32_t one = 1;
     double no_u;
     int32_t info = 0;
-    dgesvd_("N", "A", &rows, &columns, a, &rows, s, &no_u, &one, vt, &columns, work, &size, &info, 1, 1);
+    dgesvd_("N", "A", &rows, &columns, a, &rows, s, &no_u, &one, vt, &columns, work, &size, &info,
+            1, 1);
     return info;
 }
 
@@ -32,7 +33,8 @@ trk_status trk_singular_values(trk_context *context, int32_t rows, int32_t colum
     int32_t info = call_dgesvd(rows, columns, a, out_singular, out_vt, work, size);
     trk_free(context, work);
     if (info > 0)
-        return trk_fail(context, TRK_E_CONVERGENCE, "the singular value decomposition did not converge");
+        return trk_fail(context, TRK_E_CONVERGENCE,
+                        "the singular value decomposition did not converge");
     return info == 0 ? TRK_OK : trk_fail(context, TRK_E_INTERNAL, "dgesvd: argument %d", -info);
 }
 

@@ -7,7 +7,8 @@
 
 static const trk_channel *find_channel(const trk_series *series, int32_t channel)
 {
-    return series && channel >= 1 && channel <= series->channels ? &series->channel[channel - 1] : NULL;
+    return series && channel >= 1 && channel <= series->channels ? &series->channel[channel - 1]
+                                                                 : NULL;
 }
 
 trk_status trk_series_label(trk_series *series, int32_t channel, const char *name, const char *unit)

@@ -184,11 +184,11 @@ static double *run_passes(const trk_fft *fft, double *x, double *y)
     const trk_fft_kernel *kernel = fft->kernel;
     for (const trk_fft_pass *pass = fft->pass; pass < fft->pass + fft->passes; pass++) {
         switch (pass->radix) {
-        case 2:  kernel->radix2(pass, x, y);  break;
-        case 3:  kernel->radix3(pass, x, y);  break;
-        case 4:  kernel->radix4(pass, x, y);  break;
-        case 5:  kernel->radix5(pass, x, y);  break;
-        case 8:  kernel->radix8(pass, x, y);  break;
+        case 2: kernel->radix2(pass, x, y); break;
+        case 3: kernel->radix3(pass, x, y); break;
+        case 4: kernel->radix4(pass, x, y); break;
+        case 5: kernel->radix5(pass, x, y); break;
+        case 8: kernel->radix8(pass, x, y); break;
         default: kernel->general(pass, x, y); break;
         }
         double *swap = x;

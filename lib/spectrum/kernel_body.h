@@ -49,7 +49,7 @@ INLINE cell times(cell a, const double *w)
 }
 
 /* Store output k of column p; the first column's factors are one. */
-#define PUT(k, value) (b[(k) * s] = turn ? times((value), w + 2 * ((k) - 1)) : (value))
+#define PUT(k, value) (b[(k)*s] = turn ? times((value), w + 2 * ((k)-1)) : (value))
 
 INLINE void column2(const cell *a, int64_t step, cell *b, int64_t s, const double *w, bool turn)
 {
@@ -135,14 +135,14 @@ INLINE void column8(const cell *a, int64_t step, cell *b, int64_t s, const doubl
     }
 }
 
-#define DEFINE_PASS(R)                                                                        \
-    TARGET static void radix##R(const trk_fft_pass *pass, const double *x, double *y)         \
-    {                                                                                         \
-        const int64_t s = pass->stride, m = pass->columns;                                    \
-        column##R((const cell *)x, s *m, (cell *)y, s, pass->twiddle, false);                 \
-        for (int64_t p = 1; p < m; p++)                                                       \
-            column##R((const cell *)x + s * p, s *m, (cell *)y + R * s * p, s,                \
-                      pass->twiddle + 2 * (R - 1) * p, true);                                 \
+#define DEFINE_PASS(R)                                                                             \
+    TARGET static void radix##R(const trk_fft_pass *pass, const double *x, double *y)              \
+    {                                                                                              \
+        const int64_t s = pass->stride, m = pass->columns;                                         \
+        column##R((const cell *)x, s *m, (cell *)y, s, pass->twiddle, false);                      \
+        for (int64_t p = 1; p < m; p++)                                                            \
+            column##R((const cell *)x + s * p, s * m, (cell *)y + R * s * p, s,                    \
+                      pass->twiddle + 2 * (R - 1) * p, true);                                      \
     }
 
 DEFINE_PASS(2)
@@ -245,7 +245,8 @@ TARGET static void add_cross(int64_t count, const double *x_in, const double *y_
     }
 }
 
-#define KERNEL                                                                                \
-    {LANES,   radix2,   radix3,             radix4,     radix5,    radix8,                    \
-     general, multiply, conjugate_multiply, split_real, add_power, add_cross,           \
-     load}
+#define KERNEL                                                                                     \
+    {                                                                                              \
+        LANES, radix2, radix3, radix4, radix5, radix8, general, multiply, conjugate_multiply,      \
+            split_real, add_power, add_cross, load                                                 \
+    }

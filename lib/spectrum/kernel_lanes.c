@@ -3,11 +3,11 @@
 #if defined(__GNUC__)
 /* Aligned as the ABI without AVX aligns; GCC notes a change of ABI otherwise. */
 typedef double lanes __attribute__((vector_size(32), aligned(16), may_alias));
-#  define REAL lanes
-#  define LANES 4
+#define REAL lanes
+#define LANES 4
 #else
-#  define REAL double
-#  define LANES 1
+#define REAL double
+#define LANES 1
 #endif
 #define TARGET
 #include "spectrum/kernel_body.h"

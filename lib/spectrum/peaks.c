@@ -28,7 +28,10 @@ void trk_peak_options_init(trk_peak_options *options, size_t struct_size)
 
 static trk_status check_options(trk_context *context, const trk_peak_options *o)
 {
-    const struct { const char *name; double value; } field[] = {
+    const struct {
+        const char *name;
+        double value;
+    } field[] = {
         {"minimum_height", o->minimum_height},
         {"minimum_prominence", o->minimum_prominence},
         {"minimum_distance", o->minimum_distance},
@@ -144,8 +147,8 @@ static int64_t keep_prominent(int64_t length, const double *density, double mini
     int64_t kept = 0;
     for (int64_t i = 0; i < count; i++) {
         peak p = found[i];
-        p.prominence = p.height - fmax(base(length, density, p.bin, -1),
-                                       base(length, density, p.bin, 1));
+        p.prominence =
+            p.height - fmax(base(length, density, p.bin, -1), base(length, density, p.bin, 1));
         if (!p.dropped && p.prominence >= minimum_prominence)
             found[kept++] = p;
     }
@@ -153,9 +156,9 @@ static int64_t keep_prominent(int64_t length, const double *density, double mini
 }
 
 trk_status trk_psd_peaks(trk_context *context, int64_t length, const double *density,
-                         double frequency_step, const trk_peak_options *options,
-                         int64_t capacity, double *out_frequency, double *out_height,
-                         double *out_prominence, int64_t *out_count)
+                         double frequency_step, const trk_peak_options *options, int64_t capacity,
+                         double *out_frequency, double *out_height, double *out_prominence,
+                         int64_t *out_count)
 {
     static const char what[] = "trk_psd_peaks";
     TRK_REQUIRE(context, context, "trk_psd_peaks");

@@ -60,8 +60,8 @@ trk_status trk_psd(trk_context *context, int64_t count, const double *x, double 
     trk_welch welch;
     trk_status status = trk_check_rate(context, "trk_psd", "sample_rate", sample_rate);
     if (status == TRK_OK)
-        status = trk_welch_average(context, "trk_psd", count, x, NULL, options, TRK_WELCH_XX,
-                                   &welch);
+        status =
+            trk_welch_average(context, "trk_psd", count, x, NULL, options, TRK_WELCH_XX, &welch);
     if (status != TRK_OK)
         return status;
     status = write_scaled(&welch, "trk_psd", sample_rate, 1, welch.xx, out_density);
@@ -102,8 +102,8 @@ trk_status trk_coherence(trk_context *context, int64_t count, const double *x, c
     for (int64_t k = 0; k < welch.settings.length; k++) {
         const double re = welch.xy[2 * k], im = welch.xy[2 * k + 1];
         /* Divided in turn: the product of two small powers may underflow. */
-        out_coherence[k] = (re / welch.xx[k]) * (re / welch.yy[k]) +
-                           (im / welch.xx[k]) * (im / welch.yy[k]);
+        out_coherence[k] =
+            (re / welch.xx[k]) * (re / welch.yy[k]) + (im / welch.xx[k]) * (im / welch.yy[k]);
     }
     trk_welch_free(&welch);
     return TRK_OK;

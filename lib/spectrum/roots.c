@@ -15,11 +15,26 @@ static void half_turn(int64_t k, int64_t n, double *c, double *s)
     const double angle = pi * (double)rest / (4.0 * (double)n);
     const double a = cos(angle), b = sin(angle);
     switch (octant) {
-    case 0:  *c = a;  *s = b;  break;
-    case 1:  *c = b;  *s = a;  break;
-    case 2:  *c = -b; *s = a;  break;
-    case 3:  *c = -a; *s = b;  break;
-    default: *c = -1; *s = 0;  break;
+    case 0:
+        *c = a;
+        *s = b;
+        break;
+    case 1:
+        *c = b;
+        *s = a;
+        break;
+    case 2:
+        *c = -b;
+        *s = a;
+        break;
+    case 3:
+        *c = -a;
+        *s = b;
+        break;
+    default:
+        *c = -1;
+        *s = 0;
+        break;
     }
 }
 

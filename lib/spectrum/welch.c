@@ -59,8 +59,8 @@ static const double *transform(const trk_welch *welch, int64_t first, const doub
     trk_fft_segment segment[MAX_LANES];
     for (int64_t l = 0; l < welch->kernel->lanes; l++) {
         if (first + l < settings->segments)
-            segment[l] = trk_detrend_fit(settings->options.detrend, n,
-                                         x + (first + l) * settings->step);
+            segment[l] =
+                trk_detrend_fit(settings->options.detrend, n, x + (first + l) * settings->step);
         else
             segment[l] = (trk_fft_segment){.x = x, .mean = 0, .slope = 0, .gain = 0};
     }
@@ -99,9 +99,8 @@ static bool reduce(const trk_welch *welch, int64_t count, double *sum)
     return finite;
 }
 
-trk_status trk_welch_average(trk_context *context, const char *what, int64_t count,
-                             const double *x, const double *y,
-                             const trk_spectrum_options *options, int wanted,
+trk_status trk_welch_average(trk_context *context, const char *what, int64_t count, const double *x,
+                             const double *y, const trk_spectrum_options *options, int wanted,
                              trk_welch *out_welch)
 {
     *out_welch = (trk_welch){.context = context};
@@ -113,8 +112,7 @@ trk_status trk_welch_average(trk_context *context, const char *what, int64_t cou
         status = trk_check_samples(context, what, "y", count, y);
     if (status != TRK_OK)
         return status;
-    out_welch->kernel =
-        settings->segments > 1 ? trk_fft_kernel_widest() : &trk_fft_kernel_scalar;
+    out_welch->kernel = settings->segments > 1 ? trk_fft_kernel_widest() : &trk_fft_kernel_scalar;
     status = prepare(out_welch, y != NULL, wanted);
     if (status == TRK_OK) {
         accumulate(out_welch, x, y);
@@ -123,9 +121,9 @@ trk_status trk_welch_average(trk_context *context, const char *what, int64_t cou
                             reduce(out_welch, length, out_welch->yy) &&
                             reduce(out_welch, 2 * length, out_welch->xy);
         if (!finite)
-            status = trk_fail(context, TRK_E_RANGE,
-                              "%s: the square of a sample overflows, expected smaller samples",
-                              what);
+            status =
+                trk_fail(context, TRK_E_RANGE,
+                         "%s: the square of a sample overflows, expected smaller samples", what);
     }
     if (status != TRK_OK)
         trk_welch_free(out_welch);

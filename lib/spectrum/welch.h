@@ -25,9 +25,8 @@ typedef struct trk_welch {
  * The spectra are those of the windowed samples, neither scaled nor one-sided yet. On
  * failure everything is freed; on success end with trk_welch_free().
  */
-trk_status trk_welch_average(trk_context *context, const char *what, int64_t count,
-                             const double *x, const double *y,
-                             const trk_spectrum_options *options, int wanted,
+trk_status trk_welch_average(trk_context *context, const char *what, int64_t count, const double *x,
+                             const double *y, const trk_spectrum_options *options, int wanted,
                              trk_welch *out_welch);
 void trk_welch_free(trk_welch *welch);
 

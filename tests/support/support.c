@@ -58,7 +58,8 @@ void support_exhaust_memory(trk_status (*work)(trk_context *context))
     }
 }
 
-void support_near(double a, double b, double tolerance, const char *what, const char *file, int line)
+void support_near(double a, double b, double tolerance, const char *what, const char *file,
+                  int line)
 {
     if (fabs(a - b) <= tolerance)
         return;
@@ -73,7 +74,8 @@ void support_status(const trk_context *context, trk_status got, trk_status wante
     if (got == wanted)
         return;
     print_error("%s\n  returned %d (%s), expected %d (%s)\n  message: %s\n", what, got,
-                trk_status_text(got), wanted, trk_status_text(wanted), trk_context_message(context));
+                trk_status_text(got), wanted, trk_status_text(wanted),
+                trk_context_message(context));
     _fail(file, line);
 }
 

@@ -34,10 +34,11 @@ void support_exhaust_memory(trk_status (*work)(trk_context *context));
 
 /* Fails with both values unless |a - b| <= tolerance. */
 #define assert_near(a, b, tolerance) support_near((a), (b), (tolerance), #a, __FILE__, __LINE__)
-void support_near(double a, double b, double tolerance, const char *what, const char *file, int line);
+void support_near(double a, double b, double tolerance, const char *what, const char *file,
+                  int line);
 
 /* Fails with the context's message unless call returned status. */
-#define assert_status(context, call, status) \
+#define assert_status(context, call, status)                                                       \
     support_status((context), (call), (status), #call, __FILE__, __LINE__)
 #define assert_ok(context, call) assert_status(context, call, TRK_OK)
 void support_status(const trk_context *context, trk_status got, trk_status wanted, const char *what,

@@ -160,9 +160,9 @@ static void numbers_from_densities(void **state)
     assert_status(c, trk_band_rms(c, 2, large, 1, 0, 9, out), e);
     assert_message(c, "overflows");
     const trk_peak_options wrong[] = {
-        {sizeof *wrong, -1, 0, 0, 0, 0}, {sizeof *wrong, 0, NAN, 0, 0, 0},
+        {sizeof *wrong, -1, 0, 0, 0, 0},       {sizeof *wrong, 0, NAN, 0, 0, 0},
         {sizeof *wrong, 0, 0, INFINITY, 0, 0}, {sizeof *wrong, 0, 0, 0, 2, 0},
-        {sizeof *wrong, 0, 0, 0, 0, 1}, {1, 0, 0, 0, 0, 0},
+        {sizeof *wrong, 0, 0, 0, 0, 1},        {1, 0, 0, 0, 0, 0},
     };
     const trk_status status[] = {e, e, e, TRK_E_ARGUMENT, TRK_E_ARGUMENT, TRK_E_OPTIONS};
     for (int i = 0; i < 6; i++)

@@ -63,8 +63,8 @@ static void check_length(trk_context *context, int64_t n, const trk_fft_kernel *
     trk_fft_destroy(fft);
 }
 
-static const int64_t long_lengths[] = {211,  243,  256, 331, 337, 511, 512, 625, 674,
-                                       1009, 1024, 961, 2017, 2048, 2520};
+static const int64_t long_lengths[] = {211, 243,  256,  331, 337,  511,  512, 625,
+                                       674, 1009, 1024, 961, 2017, 2048, 2520};
 
 static void matches_direct_sum(void **state)
 {
@@ -174,7 +174,7 @@ static void kernels_agree_bit_by_bit(void **state)
 
 static void roots_are_accurate(void **state)
 {
-    static const int64_t lengths[] = {1,  2,  3,    4,    5,     6,     7,     8,
+    static const int64_t lengths[] = {1,  2,  3,  4,    5,    6,     7,     8,
                                       12, 16, 97, 1000, 4096, 99991, 100002};
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
         const int64_t n = lengths[i];

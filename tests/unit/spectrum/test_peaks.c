@@ -97,11 +97,13 @@ static void sine_between_bins(void **state)
 static void bins_cut_by_the_band(void **state)
 {
     const double p[] = {1, 4, 9, 2};
-    const struct { double low, high, square; } band[] = {
-        {0, 100, 32},    /* all: (1 + 4 + 9 + 2) 2 Hz         */
-        {0, 1, 2},       /* bin 0 lies between 0 and 1 Hz     */
-        {0, 0.25, 0.5},  {1, 3, 8}, {2, 4, 4 + 9},
-        {3.5, 3.75, 9 * 0.25}, {6, 7, 2}, {7, 50, 0}, {2, 2, 0},
+    const struct {
+        double low, high, square;
+    } band[] = {
+        {0, 100, 32}, /* all: (1 + 4 + 9 + 2) 2 Hz         */
+        {0, 1, 2},    /* bin 0 lies between 0 and 1 Hz     */
+        {0, 0.25, 0.5}, {1, 3, 8},  {2, 4, 4 + 9}, {3.5, 3.75, 9 * 0.25},
+        {6, 7, 2},      {7, 50, 0}, {2, 2, 0},
     };
     for (size_t i = 0; i < sizeof band / sizeof *band; i++) {
         double rms = -1;
@@ -129,8 +131,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(vertex_between_bins, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(sine_between_bins, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(bins_cut_by_the_band, support_setup, support_teardown),
-        cmocka_unit_test_setup_teardown(normalised_to_its_reference,
-                                        support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(normalised_to_its_reference, support_setup,
+                                        support_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

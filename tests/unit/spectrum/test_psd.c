@@ -55,9 +55,12 @@ static void leakage_is_that_of_the_window(void **state)
     static double x[N], p[BINS];
     for (int64_t i = 0; i < N; i++)
         x[i] = sqrt(2.0) * sin(2 * pi * 100.5 / 1024.0 * (double)i);
-    const struct { trk_window window; double loss, far; } expected[] = {
-        {TRK_WINDOW_RECTANGULAR, 3.92, 50}, {TRK_WINDOW_HANN, 1.42, 120},
-        {TRK_WINDOW_HAMMING, 1.75, 55},     {TRK_WINDOW_BLACKMAN, 1.10, 120},
+    const struct {
+        trk_window window;
+        double loss, far;
+    } expected[] = {
+        {TRK_WINDOW_RECTANGULAR, 3.92, 50},     {TRK_WINDOW_HANN, 1.42, 120},
+        {TRK_WINDOW_HAMMING, 1.75, 55},         {TRK_WINDOW_BLACKMAN, 1.10, 120},
         {TRK_WINDOW_BLACKMAN_HARRIS, 0.83, 92}, {TRK_WINDOW_FLAT_TOP, 0.01, 88},
     };
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
@@ -186,8 +189,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(sine_has_its_power, support_setup, support_teardown),
-        cmocka_unit_test_setup_teardown(leakage_is_that_of_the_window,
-                                        support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(leakage_is_that_of_the_window, support_setup,
+                                        support_teardown),
         cmocka_unit_test_setup_teardown(white_noise_has_its_level, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(area_is_the_mean_square, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(detrending_removes_a_line, support_setup, support_teardown),
