@@ -160,23 +160,6 @@ static void write_responses(FILE *file, const double *frequency, const fit *fits
     fclose(file);
 }
 
-/* The highest peak of the cab is now one mode, now another: does it jump beside the answer? */
-static void look_beside(trk_context *context, trk_calibration *calibration, double factor)
-{
-    double peak[3];
-    for (int k = 0; k < 3; k++) {
-        double beside = factor * (0.95 + 0.05 * k);
-        check(context, trk_calibration_evaluate(calibration, &beside, &peak[k], NULL));
-    }
-    double jump = fmax(fabs(peak[0] - peak[1]), fabs(peak[2] - peak[1]));
-    printf(
-        "With mounts 5 %% softer, as fitted and 5 %% stiffer the highest peak is at %.2f, %.2f and "
-        "%.2f Hz: %s.\n\n",
-        peak[0], peak[1], peak[2],
-        jump > peak_uncertainty ? "it jumps to another mode, the answer stands on an edge"
-                                : "it moves steadily");
-}
-
 static void trim_mounts(trk_context *context, int truck, int variant, int method, trk_spec *fitted,
                         const trk_excitation *sweep, FILE *table, char *title, size_t size)
 {
@@ -191,8 +174,6 @@ static void trim_mounts(trk_context *context, int truck, int variant, int method
     if (status != TRK_OK)
         snprintf(message, sizeof message, "%s", trk_context_message(context));
     report(context, calibration, place, status, message, table, fitted, &factor);
-    if (methods[method].kind == TRK_TARGET_PSD_PEAK && status == TRK_OK)
-        look_beside(context, calibration, factor);
     snprintf(title, size, "%s: x %.1f%s", methods[method].title, factor,
              status == TRK_OK ? "" : " (not reached)");
     trk_calibration_destroy(calibration);

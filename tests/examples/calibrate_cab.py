@@ -36,17 +36,15 @@ for key, row in factors.items():
     demand(run.stdout.count(",".join(key)) == 1, f"no report of {key}")
     # The cab on a rigid suspension still rides on the axle springs: its mode stays below 1.8 Hz.
     if key[2] == "psd_peak":
-        demand(row["status"] == "success" and abs(after - 1.8) <= 0.2, f"peak not met: {row}")
+        # With the thesis's dampers another peak takes over on the way: the library says so.
+        wanted = "success" if key[1] == "linear" else "may change abruptly"
+        demand(wanted in row["status"] and abs(after - 1.8) <= 0.2, f"peak not met: {row}")
     else:
         demand("cannot be reached" in row["status"] and "upper bound" in row["status"],
                f"out of reach, but not said so: {row}")
     if key[0] == "truck_3d" and key[2] != "psd_peak":
         twin = factors["half_truck", *key[1:]]
         demand(twin["after_hz"] == row["after_hz"], f"half and 3D truck differ: {twin}, {row}")
-
-# With the thesis's dampers another mode has the highest peak just above the fitted factor.
-for words in ("it jumps to another mode, the answer stands on an edge", "it moves steadily"):
-    demand(run.stdout.count(words) == 2, f"'{words}' is said {run.stdout.count(words)} times, expected 2")
 
 # Far below the bounce the cab follows the road; stiffer mounts pass more at 10 Hz.
 for name, table in responses.items():
