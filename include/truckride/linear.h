@@ -30,7 +30,8 @@ typedef struct trk_modes trk_modes;
  * @retval TRK_E_INTERNAL    LAPACK failed
  * @retval TRK_E_MEMORY      no memory
  * A negative eigenvalue omega^2 (the working point is not stable) is given as a
- * negative frequency -sqrt(-omega^2) / 2 pi.
+ * negative frequency -sqrt(-omega^2) / 2 pi. Frequencies below about sqrt(n 1e-16) of the
+ * largest one are lost in its rounding and given as 0.
  */
 TRK_API trk_status trk_modes_create_undamped(trk_context *context, const trk_model *model,
                                              const double *q, trk_modes **out_modes) TRK_MUST_CHECK;

@@ -10,6 +10,9 @@
 #include "base/names.h"
 #include <truckride/calibrate.h>
 
+#define TRK_AT_BOUND 1e-9              /* of u: as near as this is at a bound           */
+#define TRK_NORMAL95 1.959963984540054 /* half width of 95 %, standard deviations */
+
 enum {
     TRK_MAX_PARAMETERS = 64,
     TRK_MAX_VALUES = 512 /* the minimiser has one unknown per value */
@@ -90,6 +93,20 @@ trk_status trk_fit_evaluate(trk_calibration *calibration, const double *u, doubl
 trk_status trk_fit_modal(trk_calibration *calibration, const double *u, const trk_model *model,
                          double *out_y, double *out_jacobian);
 
+/* The same on frequency responses; values, and derivatives. */
+trk_status trk_fit_response(trk_calibration *calibration, const trk_model *model, double *out_y);
+trk_status trk_fit_response_gradient(trk_calibration *calibration, const double *u,
+                                     double *jacobian);
+
+/* Values of all targets on the simulated run. */
+trk_status trk_fit_run(trk_calibration *calibration, const trk_model *model, double *out_y);
+
+/* Put the name of a target (0-based) in front of the message. Returns status. */
+trk_status trk_fit_fail_at(const trk_calibration *calibration, int32_t target, trk_status status);
+
+/* ln(model / measured) at the points of a curve; out_y may be model. */
+void trk_fit_compare(const trk_fit_target *target, const double *model, double *out_y);
+
 /* Compile the model of parameters u; the caller destroys it. */
 trk_status trk_fit_compile(trk_calibration *calibration, const double *u, trk_model **out_model);
 
@@ -127,6 +144,10 @@ trk_status trk_fit_minimise(trk_calibration *calibration, trk_fit_watch *watch, 
  * intervals. Sets outcome and verdict; returns the status of this work, not the outcome.
  */
 trk_status trk_fit_judge(trk_calibration *calibration, const double *u, trk_status stopped);
+
+/* Say in words what came out: sets outcome and verdict (verdict.c). sigma: of u, by parameter. */
+void trk_fit_conclude(trk_calibration *calibration, trk_status stopped, bool minimum,
+                      const double *sigma);
 
 /* Parameters at a bound that a step downhill would leave: they stay. */
 void trk_fit_hold(const trk_calibration *calibration, const double *u, const double *r,

@@ -16,15 +16,13 @@
 #include "calibrate/calibrate.h"
 
 #include "linalg/eigen.h"
-#include "linalg/small.h"
 
 #include <math.h>
 #include <string.h>
 
-static const double run_step = 0.02; /* of u, for differences of simulated runs       */
-static const double not_seen = 1e-8; /* singular value over the largest one: no rank  */
-static const double normal95 = 1.959963984540054;
-static const double at_bound = 1e-9, stationary = 1e-6; /* of u */
+static const double run_step = 0.02;     /* of u, for differences of simulated runs       */
+static const double not_seen = 1e-8;     /* singular value over the largest one: no rank  */
+static const double stationary = 1e-6;   /* of u */
 static const double small_offset = 0.01; /* standard uncertainties                        */
 
 typedef struct judge {
@@ -36,54 +34,6 @@ typedef struct judge {
     double *sigma;              /* n                 */
     bool minimum;
 } judge;
-
-void trk_fit_hold(const trk_calibration *calibration, const double *u, const double *r,
-                  const double *jacobian, bool *out_held)
-{
-    int32_t n = trk_fit_parameter_count(calibration);
-    for (int32_t j = 0; j < n; j++) {
-        const trk_parameter_options *o = &calibration->parameters[j].options;
-        double slope = 0;
-        for (int32_t i = 0; i < calibration->value_count; i++)
-            slope += jacobian[(int64_t)i * n + j] * r[i];
-        out_held[j] = (u[j] <= log(o->lower) + at_bound && slope > 0) ||
-                      (u[j] >= log(o->upper) - at_bound && slope < 0);
-    }
-}
-
-bool trk_fit_gauss_newton(const trk_calibration *calibration, const double *u, const double *r,
-                          const double *jacobian, double *out_step)
-{
-    double a[TRK_MAX_PARAMETERS * TRK_MAX_PARAMETERS], b[TRK_MAX_PARAMETERS];
-    int32_t n = trk_fit_parameter_count(calibration), m = calibration->value_count;
-    int32_t list[TRK_MAX_PARAMETERS], count = 0;
-    bool held[TRK_MAX_PARAMETERS];
-    trk_fit_hold(calibration, u, r, jacobian, held);
-    for (int32_t j = 0; j < n; j++) {
-        out_step[j] = 0;
-        if (!held[j])
-            list[count++] = j;
-    }
-    for (int32_t k = 0; k < count; k++) {
-        b[k] = 0;
-        for (int32_t i = 0; i < m; i++)
-            b[k] -= jacobian[(int64_t)i * n + list[k]] * r[i];
-        for (int32_t l = 0; l < count; l++) {
-            double sum = 0;
-            for (int32_t i = 0; i < m; i++)
-                sum += jacobian[(int64_t)i * n + list[k]] * jacobian[(int64_t)i * n + list[l]];
-            a[k * count + l] = sum;
-        }
-    }
-    if (count > 0 && !trk_small_solve(count, a, b))
-        return false;
-    for (int32_t k = 0; k < count; k++) {
-        const trk_parameter_options *o = &calibration->parameters[list[k]].options;
-        double to = fmin(fmax(u[list[k]] + b[k], log(o->lower)), log(o->upper));
-        out_step[list[k]] = to - u[list[k]];
-    }
-    return true;
-}
 
 static double half_square(int32_t m, const double *r)
 {
@@ -219,16 +169,16 @@ static void fill_parameters(judge *w, const double *u)
         trk_fit_parameter *p = &w->c->parameters[j];
         const trk_parameter_options *o = &p->options;
         double range = log(o->upper / o->lower);
-        bool determined = normal95 * w->sigma[j] <= range / 2;
+        bool determined = TRK_NORMAL95 * w->sigma[j] <= range / 2;
         p->result = (trk_parameter_result){
             .struct_size = sizeof p->result,
             .start = o->start,
             .fitted = fmin(fmax(exp(u[j]), o->lower), o->upper),
-            .low95 = determined ? exp(u[j] - normal95 * w->sigma[j]) : 0,
-            .high95 = determined ? exp(u[j] + normal95 * w->sigma[j]) : INFINITY,
-            .at_bound = u[j] <= log(o->lower) + at_bound   ? -1
-                        : u[j] >= log(o->upper) - at_bound ? 1
-                                                           : 0,
+            .low95 = determined ? exp(u[j] - TRK_NORMAL95 * w->sigma[j]) : 0,
+            .high95 = determined ? exp(u[j] + TRK_NORMAL95 * w->sigma[j]) : INFINITY,
+            .at_bound = u[j] <= log(o->lower) + TRK_AT_BOUND   ? -1
+                        : u[j] >= log(o->upper) - TRK_AT_BOUND ? 1
+                                                               : 0,
             .determined = determined};
     }
 }
@@ -250,75 +200,6 @@ static void fill_targets(judge *w)
     }
 }
 
-static const char *parameter_name(const trk_calibration *c, int32_t j)
-{
-    return trk_names_text(&c->parameter_names, j + 1);
-}
-
-/* A target is missed at a minimum: out of reach within the bounds, or contradicted by others. */
-static void say_missed(judge *w, int32_t worst)
-{
-    trk_calibration *c = w->c;
-    const trk_target_result *result = &c->targets[worst].result;
-    char why[256] = "the targets contradict each other or the model cannot follow them";
-    for (int32_t j = 0; j < w->n; j++)
-        if (c->parameters[j].result.at_bound)
-            trk_format(why, sizeof why, "parameter '%s' is at its %s bound %g",
-                       parameter_name(c, j),
-                       c->parameters[j].result.at_bound < 0 ? "lower" : "upper",
-                       c->parameters[j].result.fitted);
-    trk_format(c->verdict, sizeof c->verdict,
-               "target '%s' cannot be reached: %g at best, %g measured, %.1f standard "
-               "uncertainties off; %s",
-               trk_names_text(&c->target_names, worst + 1), result->after, result->measured,
-               fabs(result->residual), why);
-}
-
-static void conclude(judge *w, trk_status stopped)
-{
-    trk_calibration *c = w->c;
-    int32_t worst = 0, unknown = -1;
-    for (int32_t t = 1; t < trk_fit_target_count(c); t++)
-        if (fabs(c->targets[t].result.residual) > fabs(c->targets[worst].result.residual))
-            worst = t;
-    for (int32_t j = w->n - 1; j >= 0; j--)
-        if (!c->parameters[j].result.determined)
-            unknown = j;
-    c->outcome = TRK_OK;
-    bool found = w->minimum && trk_fit_has_gradient(c); /* then the limit came after the minimum */
-    if ((stopped == TRK_E_LIMIT && !found) || stopped == TRK_E_CANCELLED) {
-        c->outcome = stopped;
-        trk_format(c->verdict, sizeof c->verdict,
-                   "%s after %lld evaluations; target '%s' is %.3g standard uncertainties off",
-                   stopped == TRK_E_LIMIT ? "stopped by the limit of evaluations or time"
-                                          : "cancelled",
-                   (long long)c->evaluations, trk_names_text(&c->target_names, worst + 1),
-                   fabs(c->targets[worst].result.residual));
-    } else if (!w->minimum) {
-        c->outcome = TRK_E_CONVERGENCE;
-        trk_format(
-            c->verdict, sizeof c->verdict,
-            "no minimum was reached in %lld evaluations, %lld of which failed; target '%s' is "
-            "%.3g standard uncertainties off; its mode or peak may change abruptly there",
-            (long long)c->evaluations, (long long)c->failures,
-            trk_names_text(&c->target_names, worst + 1), fabs(c->targets[worst].result.residual));
-    } else if (!c->targets[worst].result.met) {
-        c->outcome = TRK_E_TARGET;
-        say_missed(w, worst);
-    } else if (unknown >= 0) {
-        c->outcome = TRK_E_IDENTIFY;
-        trk_format(c->verdict, sizeof c->verdict,
-                   isfinite(w->sigma[unknown])
-                       ? "parameter '%s' is not determined: the targets leave it a factor of %.3g "
-                         "up or down"
-                       : "parameter '%s' is not determined: the targets do not depend on it alone",
-                   parameter_name(c, unknown), exp(normal95 * w->sigma[unknown]));
-    } else {
-        trk_format(c->verdict, sizeof c->verdict,
-                   "all targets are met and all parameters are determined");
-    }
-}
-
 static trk_status run(judge *w, const double *u, trk_status stopped)
 {
     trk_status status = linearise(w, u);
@@ -333,7 +214,7 @@ static trk_status run(judge *w, const double *u, trk_status stopped)
     memcpy(w->c->jacobian, w->j, (size_t)w->m * (size_t)w->n * sizeof *w->j);
     fill_parameters(w, u);
     fill_targets(w);
-    conclude(w, stopped);
+    trk_fit_conclude(w->c, stopped, w->minimum, w->sigma);
     return TRK_OK;
 }
 
