@@ -31,7 +31,7 @@ static trk_model *make(trk_context *context)
     trk_sensor_options sensor;
     for (trk_quantity k = TRK_QUANTITY_DISPLACEMENT; k <= TRK_QUANTITY_FORCE; k++)
         for (int rotation = 0; rotation < 2; rotation++) {
-            char name[16];
+            char name[32];
             snprintf(name, sizeof name, "s%d%d", k, rotation);
             trk_sensor_options_init(&sensor, sizeof sensor);
             sensor.quantity = k;

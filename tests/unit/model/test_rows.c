@@ -213,7 +213,7 @@ static trk_model *mass_on_springs(trk_context *context, bool combined)
                   trk_spec_add_mass(spec, "engine", 1, added, (double[]){arm, 0, 0}, NULL));
     seed = 99;
     for (int k = 0; k < 8; k++) {
-        char name[8];
+        char name[32];
         snprintf(name, sizeof name, "k%d", k);
         trk_link_options link;
         trk_link_options_init(&link, sizeof link);
