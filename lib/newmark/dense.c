@@ -181,23 +181,18 @@ static void copy_influence(trk_dense_step *s, const trk_newmark *stepper)
  */
 static void find_force_bound(trk_dense_step *s, const trk_model *model)
 {
-    for (int32_t r = 0; r < model->inertia.count; r++) {
-        int64_t first = model->inertia.start[r];
-        if (model->inertia.start[r + 1] - first == 1)
-            s->force_bound[model->inertia.column[first]] +=
-                model->mass[r] * model->inertia.value[first] * model->inertia.value[first];
+    const trk_rows *inertia = &model->inertia, *links = &model->links;
+    for (int32_t r = 0; r < inertia->count; r++) {
+        bool coupled = inertia->start[r + 1] - inertia->start[r] > 1;
+        for (int64_t k = inertia->start[r]; k < inertia->start[r + 1]; k++)
+            s->force_bound[inertia->column[k]] +=
+                coupled ? -INFINITY : model->mass[r] * inertia->value[k] * inertia->value[k];
     }
-    for (int32_t r = 0; r < model->inertia.count; r++)
-        for (int64_t k = model->inertia.start[r];
-             model->inertia.start[r + 1] - model->inertia.start[r] > 1 &&
-             k < model->inertia.start[r + 1];
-             k++)
-            s->force_bound[model->inertia.column[k]] = 0;
     for (int32_t i = 0; i < s->n; i++) {
         double sum = 0;
-        for (int64_t k = 0; k < model->links.entries; k++)
-            sum += model->links.column[k] == i ? fabs(model->links.value[k]) : 0;
-        s->force_bound[i] = sum > 0 ? s->force_bound[i] / sum : 0;
+        for (int64_t k = 0; k < links->entries; k++)
+            sum += links->column[k] == i ? fabs(links->value[k]) : 0;
+        s->force_bound[i] = sum > 0 ? fmax(s->force_bound[i], 0) / sum : 0;
     }
 }
 
