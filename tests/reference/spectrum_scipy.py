@@ -18,6 +18,9 @@ except ImportError as missing:
 
 TOLERANCE = 1e-10
 FLOOR = 1e-8  # values below this part of the maximum are compared with the maximum only
+QUOTIENT_FLOOR = 1e-2
+CROSS_FLOOR = 1e-6  # of cross spectra: below, SciPy's own rounding, which depends on the BLAS
+                    # behind its detrend, comes near the tolerance
 RATE = 250.0
 KAISER_BETA = 8.6
 WINDOWS = ["hann", "boxcar", "hamming", "blackman", "blackmanharris", "flattop",
@@ -83,7 +86,7 @@ def pointer(array):
     return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
 
 
-def difference(ours, theirs):
+def difference(ours, theirs, floor):
     """Largest difference over the maximum, and over each value above the floor."""
     defined = np.isfinite(theirs)
     if not np.array_equal(defined, np.isfinite(ours)):
@@ -92,17 +95,17 @@ def difference(ours, theirs):
     if not len(theirs) or not np.abs(theirs).max():
         return float(np.abs(ours).max(initial=0))
     size, maximum = np.abs(theirs), np.abs(theirs).max()
-    large = size > FLOOR * maximum
+    large = size > floor * maximum
     error = np.abs(ours - theirs)
     return max(error.max() / maximum, (error[large] / size[large]).max())
 
 
 def compare_spectra(library, x, y, worst):
-    def note(kind, ours, theirs):
+    def note(kind, ours, theirs, floor=FLOOR):
         # Segments of one or two samples less their trend leave nothing but rounding.
         nothing = np.abs(theirs).max(initial=0) < 1e-24
         both = nothing and np.abs(ours).max(initial=0) < 1e-24
-        worst[kind] = max(worst.get(kind, 0.0), 0.0 if both else difference(ours, theirs))
+        worst[kind] = max(worst.get(kind, 0.0), 0.0 if both else difference(ours, theirs, floor))
 
     for segment in SEGMENTS:
         for window, name in enumerate(WINDOWS):
@@ -116,21 +119,20 @@ def compare_spectra(library, x, y, worst):
                     yy = signal.welch(y, RATE, **same)[1]
                     xy = signal.csd(x, y, RATE, **same)[1]
                     note("psd", library.call("trk_psd", x, None, RATE, o, 1), xx)
-                    note("csd", library.call("trk_csd", x, y, RATE, o, 2), xy)
-                    # Where little power is left, quotients show SciPy's own rounding, which
-                    # depends on the BLAS behind its detrend.
-                    some = (xx > FLOOR * xx.max(initial=0)) & (yy > FLOOR * yy.max(initial=0))
+                    note("csd", library.call("trk_csd", x, y, RATE, o, 2), xy, CROSS_FLOOR)
+                    # Quotients of little power show nothing but rounding.
+                    some = (xx > CROSS_FLOOR * xx.max()) & (yy > CROSS_FLOOR * yy.max())
                     if xx.max() > 1e-20 and yy.max() > 1e-20:
                         theirs = signal.coherence(x, y, RATE, **same)[1]
                         note("coherence", library.call("trk_coherence", x, y, None, o, 1)[some],
-                             theirs[some])
+                             theirs[some], QUOTIENT_FLOOR)
                         note("frf_h1", library.call("trk_frf_h1", x, y, None, o, 2)[some],
-                             xy[some] / xx[some])
+                             xy[some] / xx[some], QUOTIENT_FLOOR)
                     o.scaling = 1
                     note("psd spectrum", library.call("trk_psd", x, None, RATE, o, 1),
                          signal.welch(x, RATE, scaling="spectrum", **same)[1])
                     note("csd spectrum", library.call("trk_csd", x, y, RATE, o, 2),
-                         signal.csd(x, y, RATE, scaling="spectrum", **same)[1])
+                         signal.csd(x, y, RATE, scaling="spectrum", **same)[1], CROSS_FLOOR)
 
 
 def compare_peaks(library, random, worst):
