@@ -68,8 +68,8 @@ static void add_axle(trk_context *context, trk_calibration *calibration, const t
     check(context, trk_calibration_add_target(calibration, axle->name, &target, NULL));
 }
 
-static void read_answer(trk_context *context, const trk_calibration *calibration,
-                        const truck_model *m, trimming *out)
+static void read_answer(trk_context *context, trk_calibration *calibration, const truck_model *m,
+                        trimming *out)
 {
     for (int32_t k = 0; k < m->axles; k++) {
         trk_target_result frequency = {.struct_size = sizeof frequency};

@@ -9,7 +9,8 @@
  *  - SI units; angles in rad; axes of ISO 8855: x forward, y left, z up; roll,
  *    pitch (nose down positive) and yaw about +x, +y, +z; small rotations.
  *  - Elongation and damper velocity are positive in extension.
- *  - Ids are int32_t starting at 1; 0 means none.
+ *  - Ids are int32_t starting at 1; 0 means none. In an array over all parts of a
+ *    kind (link forces, road heights, sensor values) the entry of id k is [k - 1].
  *  - Ownership words: "borrowed" (must outlive the borrower), "copied", "owned
  *    by caller" (destroy it), "owned by <object>" (lives as long as the object).
  *  - Functions on const objects never write a context and may be called from
@@ -91,7 +92,7 @@ enum {
     TRK_FEATURE_CHOLMOD = 1, /**< sparse solver              */
     TRK_FEATURE_LAPACK  = 2, /**< modes, frequency response  */
     TRK_FEATURE_NLOPT   = 3, /**< calibration                */
-    TRK_FEATURE_JSON    = 4  /**< model files                */
+    TRK_FEATURE_JSON    = 4  /**< model files; not in this version, always 0 */
 };
 
 /** 1 if this build has the feature, else 0. */
@@ -152,7 +153,8 @@ TRK_API void trk_context_set_log(trk_context *context, trk_log log, void *user);
 /**
  * Sentence about the last failure in this context: where, what, which value,
  * what was expected. "" if nothing failed yet. Owned by the context, valid
- * until the next call that fails in it.
+ * until the next call that fails in it. Functions on const objects, and all on NULL,
+ * return a status and leave the message as it is: for those there is trk_status_text().
  */
 TRK_API const char *trk_context_message(const trk_context *context);
 
@@ -163,9 +165,10 @@ TRK_API int64_t trk_context_blocks(const trk_context *context);
  * Options structs
  *
  * struct_size comes first and is set by the struct's init function, called as
- * trk_X_options_init(&o, sizeof o). Fields are appended, never moved. Wherever
- * a function takes options, NULL means the defaults. A struct from a newer
- * header is accepted if every field unknown to this library is zero.
+ * trk_X_options_init(&o, sizeof o), or (p, sizeof *p) through a pointer. Fields are
+ * appended, never moved. Where a parameter says "NULL for ...", NULL means the defaults;
+ * parts of a spec and targets need their options. A struct from a newer header is
+ * accepted if every field unknown to this library is zero.
  */
 
 #endif

@@ -260,12 +260,13 @@ typedef struct trk_target_result {
     int32_t reserved;    /**< [-] 0                                                        */
 } trk_target_result;
 
-/** Results. @retval TRK_E_ARGUMENT a pointer is NULL, no such id, or nothing was solved yet
+/** Results. @retval TRK_E_ARGUMENT a pointer is NULL, no such id, or nothing was solved since the
+ *  last parameter or target was added
  *  @retval TRK_E_OPTIONS struct_size is not set */
-TRK_API trk_status trk_calibration_get_parameter(const trk_calibration *calibration,
+TRK_API trk_status trk_calibration_get_parameter(trk_calibration *calibration,
                                                  int32_t parameter,
                                                  trk_parameter_result *out_result) TRK_MUST_CHECK;
-TRK_API trk_status trk_calibration_get_target(const trk_calibration *calibration, int32_t target,
+TRK_API trk_status trk_calibration_get_target(trk_calibration *calibration, int32_t target,
                                               trk_target_result *out_result) TRK_MUST_CHECK;
 
 /** Evaluations of the model in the last solve, those that failed, and starts that were made. */

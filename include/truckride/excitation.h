@@ -44,7 +44,7 @@ TRK_API void trk_excitation_destroy(trk_excitation *excitation);
  * @param signal [m over s] borrowed
  * @param gain   [-]
  * @param delay  [s]
- * @retval TRK_E_ARGUMENT a pointer is NULL or there is no such road
+ * @retval TRK_E_ARGUMENT a pointer is NULL, there is no such road, or none lies on that side
  * @retval TRK_E_RANGE    a value is not finite
  * @retval TRK_E_MEMORY   no memory
  */

@@ -84,7 +84,7 @@ TRK_API trk_status trk_modes_get_energy(const trk_modes *modes, int32_t mode,
 /** Coordinate id that takes most of the energy of a mode, 0 if there is no such mode. */
 TRK_API int32_t trk_modes_dominant(const trk_modes *modes, int32_t mode);
 
-/** Name of that coordinate, "front_axle.z", NULL if there is no such mode; owned by the modes. */
+/** Name of that coordinate, "front_axle.z"; two modes may have the same; NULL if there is no such mode; owned by the modes. */
 TRK_API const char *trk_modes_label(const trk_modes *modes, int32_t mode);
 
 /**

@@ -91,7 +91,8 @@ TRK_API trk_status trk_model_get_road_place(const trk_model *model, int32_t road
  * Static equilibrium.
  *
  * @param out_q     [m, rad] coordinates, 0 without gravity; length coordinates; NULL to skip
- * @param out_force [N, N m] force of every link, minus the tire load for a tire;
+ * @param out_force [N, N m] force of every link, minus the tire load for a tire (an axle load
+ *                  is minus the sum over its tires);
  *                  length links; NULL to skip
  */
 TRK_API void trk_model_get_static(const trk_model *model, double *out_q, double *out_force);

@@ -50,7 +50,8 @@ TRK_API void trk_newmark_options_init(trk_newmark_options *options, size_t struc
 TRK_API void trk_newmark_options_adams(trk_newmark_options *options);
 
 /**
- * Set HHT: beta = (1 - alpha)^2 / 4, gamma = 1/2 - alpha, alpha_f = -alpha.
+ * Set HHT: beta = (1 - alpha)^2 / 4, gamma = 1/2 - alpha, alpha_f = -alpha. As with the
+ * other named methods, trk_newmark_create() refuses what a value out of range leads to.
  * @param alpha [-] -1/3 to 0; 0 is average acceleration
  */
 TRK_API void trk_newmark_options_hht(trk_newmark_options *options, double alpha);
@@ -150,7 +151,8 @@ TRK_API void trk_newmark_get_state(const trk_newmark *stepper, double *out_q, do
 TRK_API void trk_newmark_get_links(const trk_newmark *stepper, double *out_elongation,
                                    double *out_rate, double *out_force);
 
-/** Values of all sensors, each in its unit [trk_model_unit()], length sensors. */
+/** Values of all sensors at trk_newmark_time(), each in its unit [trk_model_unit()], length
+ *  sensors. In a loop with hardware, a load computed from them acts in the next step. */
 TRK_API void trk_newmark_read_sensors(const trk_newmark *stepper, double *out_values);
 
 /** What the stepper did. @retval TRK_E_ARGUMENT a pointer is NULL @retval TRK_E_OPTIONS struct_size is not set */

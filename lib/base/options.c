@@ -4,10 +4,10 @@
 
 #include <string.h>
 
-/* A size outside of these bounds was never set by an init function. */
+/* No struct is as small as a pointer: init(p, sizeof p) is a slip for init(p, sizeof *p). */
 static bool plausible(size_t struct_size)
 {
-    return struct_size >= sizeof struct_size && struct_size <= 65536;
+    return struct_size > sizeof(void *) && struct_size <= 65536;
 }
 
 trk_status trk_read_options(trk_context *context, const char *what, const void *options,
@@ -19,8 +19,9 @@ trk_status trk_read_options(trk_context *context, const char *what, const void *
     memcpy(&given, options, sizeof given);
     if (!plausible(given))
         return trk_fail(context, TRK_E_OPTIONS,
-                        "%s: struct_size is %zu; call its init function with sizeof the struct",
-                        what, given);
+                        "%s: struct_size is %zu, the struct has %zu bytes; call its init function "
+                        "with the size of the struct, not of a pointer to it",
+                        what, given, known_size);
     const unsigned char *bytes = options;
     for (size_t k = known_size; k < given; k++)
         if (bytes[k])
@@ -34,8 +35,12 @@ trk_status trk_read_options(trk_context *context, const char *what, const void *
 
 void trk_write_defaults(void *options, size_t struct_size, const void *defaults, size_t known_size)
 {
-    if (!options || !plausible(struct_size))
+    if (!options || struct_size < sizeof struct_size || struct_size > 65536)
         return;
+    if (!plausible(struct_size)) { /* so that whoever reads the struct refuses it */
+        memcpy(options, &struct_size, sizeof struct_size);
+        return;
+    }
     memset(options, 0, struct_size);
     memcpy(options, defaults, struct_size < known_size ? struct_size : known_size);
     memcpy(options, &struct_size, sizeof struct_size);

@@ -40,11 +40,13 @@ static void add_parameters(text *t, const trk_calibration *c)
 
 static void add_targets(text *t, const trk_calibration *c)
 {
-    add(t, "%-24s %12s %12s %12s %12s\n", "target", "before", "after", "measured", "off by");
+    add(t, "%-24s %12s %12s %12s %12s %12s\n", "target", "before", "after", "measured",
+        "uncertainty", "off [sigma]");
     for (int32_t k = 0; k < trk_fit_target_count(c); k++) {
         const trk_target_result *r = &c->targets[k].result;
-        add(t, "%-24s %12.6g %12.6g %12.6g %10.2g s%s\n", trk_names_text(&c->target_names, k + 1),
-            r->before, r->after, r->measured, r->residual, r->met ? "" : "  missed");
+        add(t, "%-24s %12.6g %12.6g %12.6g %12.3g %12.1f%s\n",
+            trk_names_text(&c->target_names, k + 1), r->before, r->after, r->measured,
+            c->targets[k].options.uncertainty, r->residual, r->met ? "" : "  missed");
     }
 }
 
@@ -81,12 +83,12 @@ static trk_status require_result(const trk_calibration *c, const void *out, cons
         return trk_fail(c->context, TRK_E_ARGUMENT, "%s: nothing was solved since the last change",
                         what);
     if (id < 1 || id > count)
-        return trk_fail(c->context, TRK_E_ARGUMENT, "%s: there is no number %d among %d", what, id,
+        return trk_fail(c->context, TRK_E_ARGUMENT, "%s: there is no id %d (1 to %d)", what, id,
                         count);
     return TRK_OK;
 }
 
-trk_status trk_calibration_get_parameter(const trk_calibration *calibration, int32_t parameter,
+trk_status trk_calibration_get_parameter(trk_calibration *calibration, int32_t parameter,
                                          trk_parameter_result *out_result)
 {
     trk_status status =
@@ -98,7 +100,7 @@ trk_status trk_calibration_get_parameter(const trk_calibration *calibration, int
                              sizeof *out_result);
 }
 
-trk_status trk_calibration_get_target(const trk_calibration *calibration, int32_t target,
+trk_status trk_calibration_get_target(trk_calibration *calibration, int32_t target,
                                       trk_target_result *out_result)
 {
     trk_status status = require_result(calibration, out_result, "trk_calibration_get_target",

@@ -8,10 +8,10 @@
 static trk_status find_peak(trk_context *context, const trk_target_options *o, int64_t length,
                             const double *density, double step, double *out_frequency)
 {
-    int64_t first = (int64_t)ceil(o->low / step);
-    int64_t last = o->high > 0 ? (int64_t)floor(o->high / step) : length - 1;
-    if (last > length - 1)
-        last = length - 1;
+    /* Compared before they become integers: a band may lie anywhere. */
+    double end = (double)(length - 1), low = ceil(o->low / step), high = floor(o->high / step);
+    int64_t first = low < end ? (int64_t)low : length - 1;
+    int64_t last = o->high > 0 && high < end ? (int64_t)high : length - 1;
     /* One bin more on both sides, so that a peak at the edge of the band counts. */
     first = first > 0 ? first - 1 : 0;
     last = last < length - 1 ? last + 1 : last;
@@ -35,10 +35,10 @@ static trk_status psd_curve(trk_context *context, const trk_fit_target *target, 
 {
     for (int32_t k = 0; k < target->count; k++) {
         double place = target->options.frequency[k] / step;
-        int64_t bin = (int64_t)floor(place);
-        if (bin + 1 >= length)
+        if (!(place <= (double)(length - 1)))
             return trk_fail(context, TRK_E_TARGET, "the PSD of the run ends at %g Hz, below %g Hz",
                             (double)(length - 1) * step, target->options.frequency[k]);
+        int64_t bin = place < (double)(length - 1) ? (int64_t)place : length - 2;
         double part = place - (double)bin;
         out_y[k] = exp((1 - part) * log(density[bin]) + part * log(density[bin + 1]));
     }

@@ -72,6 +72,8 @@ static trk_status read_shape(trk_calibration *c, const char *name, const trk_tar
             largest = fmax(largest, fabs(shape[i]));
         if (status == TRK_OK && largest == 0)
             status = trk_fail(c->context, TRK_E_RANGE, "target '%s': shape is zero", name);
+        for (int32_t i = 0; status == TRK_OK && i < n; i++)
+            target->shape[i] /= largest; /* its size means nothing */
         return status;
     }
     int32_t id = trk_model_find(c->model, TRK_PART_COORDINATE, given->coordinate);
@@ -159,6 +161,11 @@ static trk_status read_target(trk_calibration *c, const char *name, const trk_ta
     if (status == TRK_OK)
         status = is_curve(o.kind) ? read_curve(c, name, &read, &target->options)
                                   : read_value(context, name, &target->options);
+    double scale = target->options.weight / target->options.uncertainty;
+    if (status == TRK_OK && !(scale > 1e-100 && scale < 1e100))
+        status = trk_fail(context, TRK_E_RANGE,
+                          "target '%s': weight over uncertainty is %g; 1e-100 to 1e100 is needed",
+                          name, scale);
     target->options.coordinate = target->options.sensor = NULL;
     target->count = is_curve(o.kind) ? (int32_t)o.count : 1;
     target->first = c->value_count;

@@ -120,6 +120,14 @@ static trk_status check(const trk_excitation *excitation, const char *what, int3
 static trk_status add_roads(trk_excitation *excitation, int32_t road, const trk_signal *signal,
                             double gain, double offset, double along, double rate)
 {
+    bool any = false;
+    for (int32_t k = 0; k < excitation->roads; k++)
+        any |= selects(road, k, excitation->road_y[k]);
+    if (!any)
+        return trk_fail(excitation->context, TRK_E_ARGUMENT, "excitation: no road lies %s",
+                        road == TRK_ROAD_RIGHT  ? "on the right, y < 0"
+                        : road == TRK_ROAD_LEFT ? "on the left, y >= 0"
+                                                : "anywhere: the model has none");
     trk_status status = reserve(excitation, excitation->roads);
     if (status != TRK_OK)
         return status;

@@ -190,9 +190,12 @@ static void find_force_bound(trk_dense_step *s, const trk_model *model)
     }
     for (int32_t i = 0; i < s->n; i++) {
         double sum = 0;
+        bool loaded = model->weight[i] != 0;
         for (int64_t k = 0; k < links->entries; k++)
             sum += links->column[k] == i ? fabs(links->value[k]) : 0;
-        s->force_bound[i] = sum > 0 ? fmax(s->force_bound[i], 0) / sum : 0;
+        for (int64_t k = 0; k < model->ports.entries; k++)
+            loaded |= model->ports.column[k] == i;
+        s->force_bound[i] = sum > 0 && !loaded ? fmax(s->force_bound[i], 0) / sum : 0;
     }
 }
 

@@ -173,8 +173,11 @@ static bool step_dense(trk_newmark *stepper, const double *height, const double 
     trk_state *next = &stepper->next;
     int32_t corrections = stepper->kernel(
         dense, &(trk_dense_states){now->q, now->v, now->a, next->q, next->v, next->a});
-    if (corrections < 0)
+    if (corrections < 0) { /* what overflowed must not stay in the padding */
+        for (int32_t k = dense->n; k < dense->state_blocks * TRK_DENSE_LANES; k++)
+            next->q[k] = next->v[k] = next->a[k] = 0;
         return false;
+    }
     stepper->force_scale = dense->force_scale;
     double *oldest = dense->force[3];
     for (int k = 3; k > 0; k--)

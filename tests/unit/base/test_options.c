@@ -96,6 +96,17 @@ static void garbage_size_is_refused(void **state)
     }
 }
 
+/* init(p, sizeof p) sets the size of a pointer: whoever reads the struct then refuses it. */
+static void size_of_a_pointer_is_refused(void **state)
+{
+    known caller = {7, -1, -1, -1}, got = defaults;
+    trk_write_defaults(&caller, sizeof(known *), &defaults, sizeof defaults);
+    assert_int_equal(caller.struct_size, sizeof(known *));
+    assert_status(*state, trk_read_options(*state, "trk_x_options", &caller, &got, sizeof got),
+                  TRK_E_OPTIONS);
+    assert_message(*state, "not of a pointer");
+}
+
 /* A body of a caller whose header ended after the mass, and of one with a field more. */
 static void a_real_caller(void **state)
 {
@@ -139,6 +150,7 @@ int main(void)
         TEST(newer_struct_must_leave_unknown_fields_zero),
         TEST(null_means_defaults),
         TEST(garbage_size_is_refused),
+        TEST(size_of_a_pointer_is_refused),
         TEST(a_real_caller),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

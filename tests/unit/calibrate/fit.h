@@ -38,7 +38,7 @@ static inline void fit_mode(trk_context *context, trk_calibration *c, const char
     assert_ok(context, trk_calibration_add_target(c, coordinate, &o, NULL));
 }
 
-static inline double fit_fitted(const trk_calibration *c, int32_t parameter)
+static inline double fit_fitted(trk_calibration *c, int32_t parameter)
 {
     trk_parameter_result r = {.struct_size = sizeof r};
     assert_int_equal(trk_calibration_get_parameter(c, parameter, &r), TRK_OK);

@@ -139,7 +139,7 @@ static void results_and_solve(void **state)
     assert_ok(x, trk_calibration_solve(c, NULL, NULL, NULL));
     assert_status(x, trk_calibration_get_parameter(c, 2, &p), TRK_E_ARGUMENT);
     assert_status(x, trk_calibration_get_target(c, 0, &t), TRK_E_ARGUMENT);
-    assert_message(x, "no number 0");
+    assert_message(x, "no id 0");
     assert_status(x, trk_calibration_get_target(c, 1, NULL), TRK_E_ARGUMENT);
     t.struct_size = 0;
     assert_int_equal(trk_calibration_get_target(c, 1, &t), TRK_E_OPTIONS);

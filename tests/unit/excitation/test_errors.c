@@ -38,6 +38,8 @@ static void refusals(void **state)
     REFUSED(trk_excitation_add_motion(x, 3, s, 1, 0), TRK_E_ARGUMENT,
             "excitation: there is no road 3 (1 to 2)");
     REFUSED(trk_excitation_add_motion(x, 0, s, 1, 0), TRK_E_ARGUMENT, "there is no road 0");
+    REFUSED(trk_excitation_add_motion(x, TRK_ROAD_RIGHT, s, 1, 0), TRK_E_ARGUMENT,
+            "no road lies on the right");
     REFUSED(trk_excitation_add_motion(x, -4, s, 1, 0), TRK_E_ARGUMENT, "there is no road -4");
     REFUSED(trk_excitation_add_motion(x, 1, NULL, 1, 0), TRK_E_ARGUMENT, "signal is NULL");
     REFUSED(trk_excitation_add_motion(x, 1, s, NAN, 0), TRK_E_RANGE, "excitation: gain is ");
