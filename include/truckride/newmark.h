@@ -28,6 +28,7 @@
 
 #include <truckride/model.h>
 
+/** The state of one model on its way through time. */
 typedef struct trk_newmark trk_newmark;
 
 /** Options of trk_newmark_create(). */

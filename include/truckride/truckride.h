@@ -8,13 +8,19 @@
 #include <truckride/series.h>
 #include <truckride/spectrum.h>
 #include <truckride/signal.h>
+#include <truckride/road.h>
 #include <truckride/spec.h>
 #include <truckride/vehicle.h>
 #include <truckride/model.h>
 #include <truckride/excitation.h>
 #include <truckride/newmark.h>
+#include <truckride/rungekutta.h>
 #include <truckride/linear.h>
 #include <truckride/simulate.h>
+#include <truckride/comfort.h>
+#include <truckride/roughness.h>
+#include <truckride/batch.h>
 #include <truckride/calibrate.h>
+#include <truckride/study.h>
 
 #endif

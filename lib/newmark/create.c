@@ -135,13 +135,13 @@ static trk_status prepare(trk_newmark *stepper)
     if (status == TRK_OK)
         status = find_influence(stepper);
     stepper->force_floor = find_force_floor(model);
-    stepper->kernel = trk_dense_choose_kernel();
     if (status == TRK_OK)
-        status = trk_dense_create(stepper, &stepper->dense);
+        status = trk_fast_create(stepper, &stepper->fast);
     if (status == TRK_OK)
         status = trk_newmark_set_state(stepper, 0, NULL, NULL, NULL, NULL, NULL);
     if (status != TRK_OK)
         return status;
+    trk_newmark_choose_kernel(stepper);
     stepper->statistics.nonlinear_links = stepper->p;
     stepper->statistics.coordinates = model->n;
     stepper->statistics.backend = trk_solver_backend(stepper->assembly.solver);
@@ -182,7 +182,7 @@ void trk_newmark_destroy(trk_newmark *stepper)
     trk_context *context = stepper->context;
     if (stepper->assembly.context)
         trk_assembly_clear(&stepper->assembly);
-    trk_dense_destroy(stepper->dense);
+    trk_fast_destroy(stepper->fast);
     trk_free(context, stepper->block);
     trk_free(context, stepper->nonlinear_index);
     trk_free(context, stepper->hints);

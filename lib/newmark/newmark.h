@@ -4,7 +4,7 @@
 #define TRK_NEWMARK_NEWMARK_H
 
 #include "model/model.h"
-#include "newmark/dense.h"
+#include "newmark/kernel.h"
 #include "system/assembly.h"
 #include <truckride/newmark.h>
 
@@ -20,9 +20,9 @@ struct trk_newmark {
     trk_context *context;
     const trk_model *model;
     trk_newmark_options options;
-    double start;  /* [s] time = start + taken * step                      */
-    int64_t taken; /* steps since the state was set                        */
-    trk_state now, next;
+    double start;             /* [s] time = start + taken * step                      */
+    int64_t taken;            /* steps since the state was set                        */
+    trk_state now, next;      /* now is behind if fast->is_ahead: trk_fast_settle()   */
     trk_assembly assembly;    /* holds the factors of S0 of (NEWMARK.4)               */
     double *block;            /* memory of all arrays of doubles here                 */
     double *load_row;         /* P p + w, length n                                    */
@@ -40,10 +40,68 @@ struct trk_newmark {
     double *trial, *mismatch; /* Newton on g, p                                       */
     double *slope;            /* t of (NEWMARK.7), p                                  */
     double *jacobian;         /* p x p                                                */
-    trk_dense_step *dense;    /* a faster way for small systems (NEWMARK.13); NULL: none */
-    trk_dense_kernel kernel;
+    trk_fast *fast;           /* a faster way for small systems (NEWMARK.13); NULL: none */
+    trk_fast_kernel kernel;   /* its kernel; NULL: take the general way all the same  */
     trk_newmark_statistics statistics;
 };
+
+/*
+ * Many steps in one call, with what every sensor needs recorded after each (see record.c).
+ *
+ * height, velocity: count x roads; load: count x ports, row-major; NULL is zeros. The result is
+ * that of `count` calls of trk_newmark_step(), bit for bit. *out_taken: steps taken; fewer than
+ * count only with a status, which is then that of the step that failed.
+ *
+ * out_rows NULL: nothing is recorded. Else count rows of trk_newmark_row_width() numbers each, 64
+ * byte aligned, written for the steps taken: the raw state
+ *
+ *     row = (displacements, velocities, accelerations, forces g of the links with a curve)
+ *
+ * each part padded to whole cache lines, in coordinates of the stepper's own choice, modal or
+ * physical, that do not change in its life. Sensors, and whatever else is linear in
+ * the motion, are read by
+ *
+ *     sensor = on_row . row + on_height . u + on_velocity . u'
+ *
+ * with u, u' the road at the end of that step.
+ */
+trk_status trk_newmark_record(trk_newmark *stepper, int64_t count, const double *height,
+                              const double *velocity, const double *load, double *out_rows,
+                              int64_t *out_taken);
+
+/* The step by solver, rows and laws, whatever the system. */
+trk_status trk_newmark_step_general(trk_newmark *stepper, const double *height,
+                                    const double *velocity, const double *load);
+
+/* Numbers in a row: a multiple of 8. */
+int64_t trk_newmark_row_width(const trk_newmark *stepper);
+
+/* The raw state now, as trk_newmark_record() writes it: the row of step 0, for instance. */
+void trk_newmark_get_row(const trk_newmark *stepper, double *out_row);
+
+/*
+ * The matrices above, a row a sensor: on_row is sensors x row width, on_height and on_velocity are
+ * sensors x roads; all row-major.
+ */
+void trk_newmark_get_sensor_rows(const trk_newmark *stepper, double *out_on_row,
+                                 double *out_on_height, double *out_on_velocity);
+
+/* Ways to take a step. */
+enum {
+    TRK_KERNEL_GENERAL = 0,  /* any system: solver, laws and rows of the model */
+    TRK_KERNEL_PORTABLE = 1, /* the others: small systems in modal coordinates */
+    TRK_KERNEL_AVX2 = 2,
+    TRK_KERNEL_AVX512 = 3
+};
+
+/*
+ * Take that way from the next step on; for tests and measurements, as trk_newmark_create()
+ * takes the fastest. false: this build, processor or system does not have it; nothing changes.
+ */
+bool trk_newmark_set_kernel(trk_newmark *stepper, int32_t kernel);
+
+/* Set the fastest. */
+void trk_newmark_choose_kernel(trk_newmark *stepper);
 
 /*
  * Newton on the forces of the non-linear links (NEWMARK.6), from the start in

@@ -114,8 +114,8 @@ trk_status trk_newmark_set_state(trk_newmark *stepper, double time, const double
     for (int k = 0; k < 3; k++)
         memcpy(stepper->past[k], stepper->now.force, (size_t)stepper->p * sizeof(double));
     stepper->force_scale = trk_newmark_largest_force(stepper, &stepper->now);
-    if (stepper->dense)
-        trk_dense_adopt(stepper->dense, stepper, true);
+    if (stepper->fast)
+        trk_fast_adopt(stepper->fast, stepper, true);
     return TRK_OK;
 }
 
@@ -133,6 +133,7 @@ void trk_newmark_get_state(const trk_newmark *stepper, double *out_q, double *ou
 {
     if (!stepper)
         return;
+    trk_fast_settle(stepper);
     size_t size = (size_t)stepper->model->n * sizeof(double);
     if (out_q)
         memcpy(out_q, stepper->now.q, size);
@@ -155,7 +156,10 @@ static double link_force(const trk_newmark *stepper, int32_t link)
 void trk_newmark_get_links(const trk_newmark *stepper, double *out_elongation, double *out_rate,
                            double *out_force)
 {
-    for (int32_t k = 0; stepper && k < stepper->model->links.count; k++) {
+    if (!stepper)
+        return;
+    trk_fast_settle(stepper);
+    for (int32_t k = 0; k < stepper->model->links.count; k++) {
         if (out_elongation)
             out_elongation[k] = trk_newmark_elongation(stepper, &stepper->now, k);
         if (out_rate)
@@ -171,6 +175,7 @@ void trk_newmark_read_sensors(const trk_newmark *stepper, double *out_values)
         return;
     const trk_model *model = stepper->model;
     const trk_state *now = &stepper->now;
+    trk_fast_settle(stepper);
     for (int32_t k = 0; k < model->sensors.count; k++) {
         int32_t link = model->sensor_link[k];
         switch (model->sensor_quantity[k]) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One step: predict, solve the linear part, solve the few non-linear forces, correct. */
+/* One step of any system: predict, solve the linear part, solve the few non-linear forces, correct. */
 #include "newmark/newmark.h"
 
 #include <math.h>
@@ -132,71 +132,8 @@ static void commit(trk_newmark *stepper)
     stepper->statistics.steps++;
 }
 
-/* Road and loads into the drives of the dense step. false: one is not finite. */
-static bool take_drives(trk_newmark *stepper, const double *height, const double *velocity,
-                        const double *load)
-{
-    int32_t roads = stepper->model->names[TRK_PART_ROAD].count, ports = stepper->model->ports.count;
-    double *drive = stepper->dense->drive, not_finite = 0;
-    for (int32_t k = 0; k < roads; k++) {
-        double u = height ? height[k] : 0, v = velocity ? velocity[k] : 0;
-        stepper->next.height[k] = drive[k] = u;
-        stepper->next.velocity[k] = drive[roads + k] = v;
-        not_finite += 0 * u + 0 * v;
-    }
-    for (int32_t k = 0; k < ports; k++) {
-        drive[2 * roads + k] = load ? load[k] : 0;
-        not_finite += 0 * drive[2 * roads + k];
-    }
-    return not_finite == 0;
-}
-
-/* Link of the table that was furthest off before the last correction. */
-static int32_t worst_link(const trk_newmark *stepper)
-{
-    const trk_dense_step *dense = stepper->dense;
-    int32_t worst = 0;
-    for (int32_t k = 1; k < dense->tables; k++)
-        if (fabs(dense->mismatch[k]) > fabs(dense->mismatch[worst]))
-            worst = k;
-    return stepper->model->nonlinear[dense->table[worst].link] + 1;
-}
-
-/* The step by the dense products; false: they do not suffice, nothing has happened. */
-static bool step_dense(trk_newmark *stepper, const double *height, const double *velocity,
-                       const double *load)
-{
-    trk_dense_step *dense = stepper->dense;
-    if (!take_drives(stepper, height, velocity, load))
-        return false;
-    const trk_state *now = &stepper->now;
-    trk_state *next = &stepper->next;
-    int32_t corrections = stepper->kernel(
-        dense, &(trk_dense_states){now->q, now->v, now->a, next->q, next->v, next->a});
-    if (corrections < 0) { /* what overflowed must not stay in the padding */
-        for (int32_t k = dense->n; k < dense->state_blocks * TRK_DENSE_LANES; k++)
-            next->q[k] = next->v[k] = next->a[k] = 0;
-        return false;
-    }
-    stepper->force_scale = dense->force_scale;
-    double *oldest = dense->force[3];
-    for (int k = 3; k > 0; k--)
-        dense->force[k] = dense->force[k - 1];
-    dense->force[0] = dense->force[4];
-    dense->force[4] = oldest;
-    memset(next->force, 0, (size_t)stepper->p * sizeof *next->force);
-    for (int32_t k = 0; k < dense->tables; k++)
-        next->force[dense->table[k].link] += dense->force[0][k];
-    stepper->statistics.iterations += corrections;
-    if (corrections > stepper->statistics.max_iterations) {
-        stepper->statistics.max_iterations = corrections;
-        stepper->statistics.worst_link = worst_link(stepper);
-    }
-    return true;
-}
-
-static trk_status step_general(trk_newmark *stepper, const double *height, const double *velocity,
-                               const double *load)
+static trk_status advance(trk_newmark *stepper, const double *height, const double *velocity,
+                          const double *load)
 {
     trk_status status = trk_newmark_take_inputs(stepper, height, velocity, load, &stepper->next);
     if (status != TRK_OK)
@@ -220,19 +157,25 @@ static trk_status step_general(trk_newmark *stepper, const double *height, const
     return TRK_OK;
 }
 
-trk_status trk_newmark_step(trk_newmark *stepper, const double *height, const double *velocity,
-                            const double *load)
+/* Before the general path follows the modal one: its forces have no past. */
+static void leave_fast(trk_newmark *stepper)
 {
-    TRK_REQUIRE(NULL, stepper, "trk_newmark_step");
-    if (stepper->dense && step_dense(stepper, height, velocity, load)) {
-        commit(stepper);
-        return TRK_OK;
-    }
-    trk_status status = step_general(stepper, height, velocity, load);
+    trk_fast_settle(stepper);
+    for (int k = 0; k < 3; k++)
+        memcpy(stepper->past[k], stepper->now.force, (size_t)stepper->p * sizeof(double));
+    stepper->force_scale = trk_newmark_largest_force(stepper, &stepper->now);
+}
+
+trk_status trk_newmark_step_general(trk_newmark *stepper, const double *height,
+                                    const double *velocity, const double *load)
+{
+    if (stepper->fast && stepper->fast->is_ahead)
+        leave_fast(stepper);
+    trk_status status = advance(stepper, height, velocity, load);
     if (status != TRK_OK)
         return status;
     commit(stepper);
-    if (stepper->dense)
-        trk_dense_adopt(stepper->dense, stepper, false);
+    if (stepper->fast)
+        trk_fast_adopt(stepper->fast, stepper, false);
     return TRK_OK;
 }

@@ -23,7 +23,16 @@ static void test_again(void **state)
     }
 }
 
-/* trk_simulate() is trk_newmark_step() in a loop. */
+static double peak(const trk_series *series, int32_t channel)
+{
+    const double *x = trk_series_data(series, channel);
+    double largest = 0;
+    for (int64_t k = 0; k < trk_series_samples(series); k++)
+        largest = fmax(largest, fabs(x[k]));
+    return largest;
+}
+
+/* trk_simulate() is trk_newmark_step() in a loop; its sensors are summed in another order. */
 static void test_step_by_step(void **state)
 {
     trk_model *model = support_model(*state, TRK_VEHICLE_REFERENCE_TRUCK, TRK_VARIANT_NONLINEAR,
@@ -58,7 +67,7 @@ static void test_step_by_step(void **state)
             assert_ok(*state, trk_newmark_step(stepper, height, velocity, loads));
         trk_newmark_read_sensors(stepper, values);
         for (int32_t c = 1; c <= trk_series_channels(series); c++)
-            assert_memory_equal(&values[c - 1], &trk_series_data(series, c)[k], sizeof(double));
+            assert_near(values[c - 1], trk_series_data(series, c)[k], 1e-12 * peak(series, c));
     }
     trk_newmark_destroy(stepper);
     trk_series_destroy(series);
