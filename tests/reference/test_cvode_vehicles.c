@@ -8,6 +8,7 @@
 #include "support.h"
 #include "vehicles.h"
 
+#include <truckride/rungekutta.h>
 #include <truckride/signal.h>
 
 #include <cvode/cvode.h>
@@ -177,6 +178,40 @@ static double *step(trk_context *context, const problem *p, int steps)
     return q;
 }
 
+static void put_road(const problem *p, double t, double *height, double *velocity)
+{
+    for (int32_t i = 0; i < p->wheels; i++) {
+        height[i] = gain(i) * trk_signal_value(p->road, t);
+        velocity[i] = gain(i) * trk_signal_rate(p->road, t);
+    }
+}
+
+/* q at the same times by the Runge-Kutta method. */
+static double *step_explicitly(trk_context *context, const problem *p, int steps)
+{
+    trk_rungekutta_options options;
+    trk_rungekutta_options_init(&options, sizeof options);
+    double h = options.step = duration / SAMPLES / steps;
+    double *q = calloc((size_t)((SAMPLES + 1) * p->n), sizeof *q);
+    double height[2][MAX], velocity[2][MAX];
+    assert_non_null(q);
+    trk_rungekutta *stepper;
+    assert_ok(context, trk_rungekutta_create(context, p->model, &options, &stepper));
+    put_road(p, 0, height[1], velocity[1]);
+    assert_ok(context,
+              trk_rungekutta_set_state(stepper, 0, NULL, NULL, height[1], velocity[1], NULL));
+    for (int64_t k = 1; k <= (int64_t)SAMPLES * steps; k++) {
+        put_road(p, ((double)k - 0.5) * h, height[0], velocity[0]);
+        put_road(p, duration * (double)k / (SAMPLES * steps), height[1], velocity[1]);
+        assert_ok(context, trk_rungekutta_step(stepper, height[0], velocity[0], NULL, height[1],
+                                               velocity[1], NULL));
+        if (k % steps == 0)
+            trk_rungekutta_get_state(stepper, q + k / steps * p->n, NULL, NULL);
+    }
+    trk_rungekutta_destroy(stepper);
+    return q;
+}
+
 typedef void (*judge)(trk_context *context, const problem *p, const double *wanted);
 
 static void for_all(trk_context *context, const trk_signal *road, judge judge_one)
@@ -235,6 +270,20 @@ static void judge_accuracy(trk_context *context, const problem *p, const double 
     free(q);
 }
 
+static void judge_rungekutta(trk_context *context, const problem *p, const double *wanted)
+{
+    static const int steps[] = {1, 2, 5};
+    double error[3];
+    for (int k = 0; k < 3; k++) {
+        double *q = step_explicitly(context, p, steps[k]);
+        error[k] = support_difference(SAMPLES + 1, p->n, wanted, q, 1e-3);
+        free(q);
+    }
+    print_message("  Runge-Kutta: h = 5 ms: %.3g, 2.5 ms: %.3g, 1 ms: %.3g\n", error[0], error[1],
+                  error[2]);
+    assert_true(error[2] < 1e-7);
+}
+
 static trk_signal *thesis_step(trk_context *context)
 {
     trk_signal *road;
@@ -265,12 +314,29 @@ static void test_accuracy(void **state)
     trk_signal_destroy(road);
 }
 
+static void test_rungekutta_step(void **state)
+{
+    trk_signal *road = thesis_step(*state);
+    for_all(*state, road, judge_rungekutta);
+    trk_signal_destroy(road);
+}
+
+static void test_rungekutta_sine(void **state)
+{
+    trk_signal *road;
+    assert_ok(*state, trk_signal_create_sine(*state, 0.01, 1, 0, 0, &road));
+    for_all(*state, road, judge_rungekutta);
+    trk_signal_destroy(road);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_order_step, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_order_sine, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_accuracy, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(test_rungekutta_step, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(test_rungekutta_sine, support_setup, support_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
