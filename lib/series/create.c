@@ -24,8 +24,12 @@ static trk_status check(trk_context *context, int32_t channels, int64_t samples,
 
 static trk_status fill(trk_context *context, trk_series *series)
 {
+    const size_t line = 8; /* samples in a cache line */
+    int64_t lines = (series->samples - 1) / (int64_t)line + 1;
     series->channel = trk_new(context, series->channels, sizeof *series->channel);
-    if (!series->channel)
+    series->block =
+        trk_new(context, lines, line * sizeof *series->block * (size_t)series->channels);
+    if (!series->channel || !series->block)
         return TRK_E_MEMORY;
     for (int32_t k = 0; k < series->channels; k++) {
         trk_channel *c = &series->channel[k];
@@ -33,8 +37,8 @@ static trk_status fill(trk_context *context, trk_series *series)
         trk_format(number, sizeof number, "%d", (int)k + 1);
         c->name = trk_copy_text(context, number);
         c->unit = trk_copy_text(context, "");
-        c->data = trk_new(context, series->samples, sizeof *c->data);
-        if (!c->name || !c->unit || !c->data)
+        c->data = series->block + k * lines * (int64_t)line;
+        if (!c->name || !c->unit)
             return TRK_E_MEMORY;
     }
     return TRK_OK;
@@ -53,7 +57,7 @@ trk_status trk_series_create(trk_context *context, int32_t channels, int64_t sam
     trk_series *series = trk_new(context, 1, sizeof *series);
     if (!series)
         return TRK_E_MEMORY;
-    *series = (trk_series){context, channels, samples, sample_rate, start, NULL};
+    *series = (trk_series){context, channels, samples, sample_rate, start, NULL, NULL};
     status = fill(context, series);
     if (status) {
         trk_series_destroy(series);
@@ -93,10 +97,10 @@ void trk_series_destroy(trk_series *series)
         return;
     trk_context *context = series->context;
     for (int32_t k = 0; series->channel && k < series->channels; k++) {
-        trk_free(context, series->channel[k].data);
         trk_free(context, series->channel[k].unit);
         trk_free(context, series->channel[k].name);
     }
     trk_free(context, series->channel);
+    trk_free(context, series->block);
     trk_free(context, series);
 }

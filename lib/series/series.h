@@ -8,7 +8,7 @@
 
 typedef struct trk_channel {
     char *name, *unit;
-    double *data; /* length samples */
+    double *data; /* length samples, in the block of the series */
 } trk_channel;
 
 struct trk_series {
@@ -16,7 +16,8 @@ struct trk_series {
     int32_t channels;
     int64_t samples;
     double sample_rate, start;
-    trk_channel *channel; /* channel[id - 1] */
+    trk_channel *channel; /* channel[id - 1]                                    */
+    double *block;        /* samples of all channels: one block gets huge pages */
 };
 
 /* A series of the same channel names and units, but other samples. */

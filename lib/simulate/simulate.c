@@ -1,12 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Excitation in blocks, steps one by one, sensors into channels. */
-#include "base/base.h"
+/* Excitation in blocks, steps, sensors into channels. */
+#include "newmark/newmark.h"
+#include "simulate/sensors.h"
+#include "simulate/stepper.h"
 
 #include <truckride/simulate.h>
 
 #include <math.h>
 
-enum { BLOCK = 256 }; /* steps whose excitation is evaluated at once */
+enum {
+    BLOCK = TRK_SENSORS_BLOCK, /* steps whose excitation is evaluated at once              */
+    WIDEST_ROW = 256,          /* of a stepper whose sensors are read a block at a time: a
+                                  block of wider rows leaves the cache before it is read   */
+    LONG_SERIES = 1 << 21      /* samples of all channels that no cache keeps              */
+};
 
 static const trk_simulate_options defaults = {
     .struct_size = sizeof defaults, .duration = 10, .record_every = 1};
@@ -24,23 +31,31 @@ typedef struct run {
     trk_simulate_options options;
     double step; /* [s]                              */
     int64_t steps;
-    trk_newmark *stepper;
+    trk_stepper stepper;
     trk_series *series;
-    double **channel;                 /* samples of each sensor           */
-    double *values;                   /* of all sensors now               */
-    double *height, *velocity, *load; /* BLOCK x roads, roads, ports      */
+    double **channel;     /* samples of each sensor           */
+    double *values;       /* of all sensors now               */
+    trk_drive drive;      /* of BLOCK steps                   */
+    trk_sensors *sensors; /* of a small Newmark stepper, else NULL */
+    double *rows;         /* BLOCK steps, for them            */
     trk_progress progress;
     void *user;
 } run;
 
-static trk_status check(run *r, const trk_simulate_options *options)
+static trk_status read_options(run *r, const trk_simulate_options *options)
+{
+    r->options = defaults;
+    trk_status status = trk_read_options(r->context, "trk_simulate_options", options, &r->options,
+                                         sizeof r->options);
+    if (status == TRK_OK && r->options.reserved != 0)
+        return trk_fail(r->context, TRK_E_ARGUMENT,
+                        "trk_simulate_options: reserved is %d; 0 is needed", r->options.reserved);
+    return status;
+}
+
+static trk_status check(run *r)
 {
     trk_context *context = r->context;
-    r->options = defaults;
-    trk_status status =
-        trk_read_options(context, "trk_simulate_options", options, &r->options, sizeof r->options);
-    if (status != TRK_OK)
-        return status;
     if (!isfinite(r->options.duration) || r->options.duration <= 0)
         return trk_fail(context, TRK_E_RANGE,
                         "trk_simulate_options: duration is %g s; a finite number > 0 is needed",
@@ -89,39 +104,56 @@ static trk_status create_series(run *r)
     return status;
 }
 
+static trk_status create_sensors(run *r)
+{
+    int64_t sensors = trk_model_count(r->model, TRK_PART_SENSOR);
+    const trk_newmark *newmark = r->stepper.newmark;
+    int64_t width = newmark ? trk_newmark_row_width(newmark) : 0;
+    if (!newmark || width > WIDEST_ROW)
+        return TRK_OK;
+    r->rows = trk_new(r->context, BLOCK * width, sizeof *r->rows);
+    double *on_row = trk_new(r->context, sensors * width, sizeof *on_row);
+    double *on_road = trk_new(r->context, 2 * sensors * r->drive.roads, sizeof *on_road);
+    trk_status status = TRK_E_MEMORY;
+    if (r->rows && on_row && on_road) {
+        double *on_velocity = on_road + sensors * r->drive.roads;
+        trk_newmark_get_sensor_rows(newmark, on_row, on_road, on_velocity);
+        status = trk_sensors_create(r->context, (int32_t)sensors, width, (int32_t)r->drive.roads,
+                                    on_row, on_road, on_velocity, &r->sensors);
+        if (status == TRK_OK)
+            r->sensors->stream = sensors > LONG_SERIES / (r->steps / r->options.record_every + 1);
+    }
+    trk_free(r->context, on_row);
+    trk_free(r->context, on_road);
+    return status;
+}
+
 static trk_status allocate(run *r)
 {
     int64_t sensors = trk_model_count(r->model, TRK_PART_SENSOR);
-    int64_t roads = trk_model_count(r->model, TRK_PART_ROAD);
-    int64_t ports = trk_model_count(r->model, TRK_PART_PORT);
     r->channel = trk_new(r->context, sensors, sizeof *r->channel);
     r->values = trk_new(r->context, sensors, sizeof *r->values);
-    r->height = trk_new(r->context, BLOCK * roads, sizeof *r->height);
-    r->velocity = trk_new(r->context, BLOCK * roads, sizeof *r->velocity);
-    r->load = trk_new(r->context, BLOCK * ports, sizeof *r->load);
-    if (!r->channel || !r->values || !r->height || !r->velocity || !r->load)
+    if (!r->channel || !r->values)
         return TRK_E_MEMORY;
-    return create_series(r);
+    trk_status status = trk_drive_create(r->context, r->excitation, BLOCK, &r->drive);
+    if (status == TRK_OK)
+        status = create_sensors(r);
+    return status == TRK_OK ? create_series(r) : status;
 }
 
 static void record(run *r, int64_t sample)
 {
     int32_t sensors = trk_series_channels(r->series);
-    trk_newmark_read_sensors(r->stepper, r->values);
+    trk_stepper_read_sensors(&r->stepper, r->values);
     for (int32_t k = 0; k < sensors; k++)
         r->channel[k][sample] = r->values[k];
 }
 
-/* The steps first + 1 .. first + count, whose excitation lies in the block. */
-static trk_status advance(run *r, int64_t first, int64_t count)
+/* The steps first + 1 .. first + count, one by one. */
+static trk_status take_steps(run *r, int64_t first, int64_t count)
 {
-    int32_t roads = trk_excitation_roads(r->excitation),
-            ports = trk_excitation_ports(r->excitation);
-    trk_excitation_evaluate(r->excitation, count, r->options.start + (double)(first + 1) * r->step,
-                            r->step, r->height, r->velocity, r->load);
     for (int64_t k = 0; k < count; k++) {
-        trk_status status = trk_newmark_step(r->stepper, r->height + k * roads,
-                                             r->velocity + k * roads, r->load + k * ports);
+        trk_status status = trk_stepper_step(&r->stepper, &r->drive, k);
         if (status != TRK_OK)
             return status;
         if ((first + k + 1) % r->options.record_every == 0)
@@ -130,23 +162,44 @@ static trk_status advance(run *r, int64_t first, int64_t count)
     return TRK_OK;
 }
 
+/* The same steps at once, and then their sensors. */
+static trk_status take_block(run *r, int64_t first, int64_t count)
+{
+    const trk_drive *d = &r->drive;
+    int64_t every = r->options.record_every, taken;
+    int64_t skip = every - 1 - first % every; /* steps before the first that is recorded */
+    trk_status status = trk_newmark_record(r->stepper.newmark, count, d->height, d->velocity,
+                                           d->load, skip < count ? r->rows : NULL, &taken);
+    if (status == TRK_OK && skip < count)
+        trk_sensors_read(r->sensors, (count - skip - 1) / every + 1, every,
+                         r->rows + skip * r->sensors->width, d->height + skip * d->roads,
+                         d->velocity + skip * d->roads, r->channel, first / every + 1);
+    return status;
+}
+
+static trk_status advance(run *r, int64_t first, int64_t count)
+{
+    trk_drive_evaluate(&r->drive, &r->stepper, count, r->options.start, first);
+    return r->sensors ? take_block(r, first, count) : take_steps(r, first, count);
+}
+
 static trk_status go(run *r)
 {
-    trk_excitation_evaluate(r->excitation, 1, r->options.start, r->step, r->height, r->velocity,
-                            r->load);
-    trk_status status =
-        trk_newmark_set_state(r->stepper, r->options.start, r->options.initial_q,
-                              r->options.initial_velocity, r->height, r->velocity, r->load);
+    trk_status status = trk_stepper_start(&r->stepper, &r->drive, r->options.start,
+                                          r->options.initial_q, r->options.initial_velocity);
     if (status != TRK_OK)
         return status;
     record(r, 0);
-    int64_t report_every = (r->steps / 100 / BLOCK + 1) * BLOCK;
-    for (int64_t done = 0; status == TRK_OK && done < r->steps; done += BLOCK) {
-        if (r->progress && done % report_every == 0 &&
-            r->progress(r->user, (double)done / (double)r->steps))
-            return trk_fail(r->context, TRK_E_CANCELLED, "%s: run cancelled at t = %.9g s",
-                            trk_model_name(r->model), trk_newmark_time(r->stepper));
-        status = advance(r, done, r->steps - done < BLOCK ? r->steps - done : BLOCK);
+    /* The first block is one shorter: with the initial state it fills whole cache lines. */
+    int64_t report = 0, end = BLOCK - 1;
+    for (int64_t done = 0; status == TRK_OK && done < r->steps; done = end, end += BLOCK) {
+        if (r->progress && done >= report) {
+            report += r->steps / 100;
+            if (r->progress(r->user, (double)done / (double)r->steps))
+                return trk_fail(r->context, TRK_E_CANCELLED, "%s: run cancelled at t = %.9g s",
+                                trk_model_name(r->model), trk_stepper_time(&r->stepper));
+        }
+        status = advance(r, done, (end < r->steps ? end : r->steps) - done);
     }
     if (status == TRK_OK && r->progress)
         (void)r->progress(r->user, 1);
@@ -168,21 +221,23 @@ trk_status trk_simulate(trk_context *context, const trk_model *model,
              .excitation = excitation,
              .progress = progress,
              .user = user};
-    trk_status status = trk_newmark_create(context, model, newmark, &r.stepper);
+    trk_status status = read_options(&r, options);
+    if (status == TRK_OK)
+        status = trk_stepper_create(context, model, r.options.method, newmark, &r.stepper);
     if (status != TRK_OK)
         return status;
-    r.step = trk_newmark_step_size(r.stepper);
-    status = check(&r, options);
+    r.step = trk_stepper_step_size(&r.stepper);
+    status = check(&r);
     if (status == TRK_OK)
         status = allocate(&r);
     if (status == TRK_OK)
         status = go(&r);
-    trk_newmark_destroy(r.stepper);
+    trk_stepper_destroy(&r.stepper);
+    trk_drive_clear(&r.drive);
+    trk_sensors_destroy(r.sensors);
+    trk_free(context, r.rows);
     trk_free(context, r.channel);
     trk_free(context, r.values);
-    trk_free(context, r.height);
-    trk_free(context, r.velocity);
-    trk_free(context, r.load);
     if (status != TRK_OK) {
         trk_series_destroy(r.series);
         return status;
