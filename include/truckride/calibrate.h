@@ -26,24 +26,8 @@
 #include <truckride/simulate.h>
 #include <truckride/spectrum.h>
 
+/** Parameters, targets and the last answer; owns a copy of the spec. */
 typedef struct trk_calibration trk_calibration;
-
-/** What a parameter acts on. */
-typedef int32_t trk_field;
-enum {
-    TRK_FIELD_STIFFNESS    = 1, /**< of a link: stiffness and scale of the spring curve   */
-    TRK_FIELD_DAMPING      = 2, /**< of a link: damping and scale of the damper curve     */
-    TRK_FIELD_MASS         = 3, /**< of a body: mass                                      */
-    TRK_FIELD_INERTIA      = 4, /**< of a body: moments of inertia about all axes         */
-    TRK_FIELD_MASS_INERTIA = 5  /**< of a body: mass and moments of inertia               */
-};
-
-/** What the number of a parameter means. */
-typedef int32_t trk_meaning;
-enum {
-    TRK_MEANING_FACTOR = 0, /**< factor on the values of the spec                          */
-    TRK_MEANING_VALUE  = 1  /**< the value itself, the same for all it acts on [N/m, N s/m, kg, ...] */
-};
 
 /** Options of trk_calibration_add_parameter(). */
 typedef struct trk_parameter_options {

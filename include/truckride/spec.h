@@ -26,6 +26,7 @@
 
 #include <truckride/curve.h>
 
+/** The description of a vehicle. */
 typedef struct trk_spec trk_spec;
 
 /** Kinds of named parts. */
@@ -112,6 +113,23 @@ typedef struct trk_port_options {
     double     point[3];     /**< [m] point of the body; default 0                           */
     double     direction[3]; /**< [-] positive load acts this way, any length > 0; default (0, 0, 1) */
 } trk_port_options;
+
+/** What of a part is varied: by trk_spec_vary(), a calibration or a study. */
+typedef int32_t trk_field;
+enum {
+    TRK_FIELD_STIFFNESS    = 1, /**< of a link: stiffness and scale of the spring curve   */
+    TRK_FIELD_DAMPING      = 2, /**< of a link: damping and scale of the damper curve     */
+    TRK_FIELD_MASS         = 3, /**< of a body: mass                                      */
+    TRK_FIELD_INERTIA      = 4, /**< of a body: moments of inertia about all axes         */
+    TRK_FIELD_MASS_INERTIA = 5  /**< of a body: mass and moments of inertia               */
+};
+
+/** What the number that varies a field means. */
+typedef int32_t trk_meaning;
+enum {
+    TRK_MEANING_FACTOR = 0, /**< factor on the values of the spec                          */
+    TRK_MEANING_VALUE  = 1  /**< the value itself, the same for all it acts on [N/m, N s/m, kg, ...] */
+};
 
 /** Set every field to its default. Call as trk_X_options_init(&o, sizeof o). */
 TRK_API void trk_body_options_init(trk_body_options *options, size_t struct_size);
@@ -241,6 +259,23 @@ TRK_API trk_status trk_spec_set_body(trk_spec *spec, int32_t body,
                                      const trk_body_options *options) TRK_MUST_CHECK;
 TRK_API trk_status trk_spec_set_link(trk_spec *spec, int32_t link,
                                      const trk_link_options *options) TRK_MUST_CHECK;
+
+/**
+ * Multiply or replace a field of all parts whose name matches a pattern. All or nothing.
+ * A value needs a single number to replace: not a spring or damper curve, not
+ * TRK_FIELD_INERTIA.
+ *
+ * @param pattern   name of the link or body; '*' stands for any text: "front_*_tire"
+ * @param value     [- or unit of the field] the factor or the value, by meaning
+ * @param out_count receives the number of parts that matched; NULL to skip
+ * @retval TRK_E_ARGUMENT a pointer is NULL, there is no such field or meaning
+ * @retval TRK_E_RANGE    value is not finite, or what comes out is out of range for the part
+ * @retval TRK_E_NAME     nothing matches the pattern
+ * @retval TRK_E_MODEL    a part that matches has nothing there to scale, or not one number to replace
+ */
+TRK_API trk_status trk_spec_vary(trk_spec *spec, trk_field field, const char *pattern,
+                                 trk_meaning meaning, double value,
+                                 int32_t *out_count) TRK_MUST_CHECK;
 
 /** Number of parts of a kind; 0 for an unknown kind. */
 TRK_API int32_t trk_spec_count(const trk_spec *spec, trk_part part);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Calibrations, their parameters and what those act on. */
 #include "calibrate/calibrate.h"
+#include "spec/vary.h"
 
 #include <math.h>
-#include <string.h>
 
 static const trk_parameter_options defaults = {
     .struct_size = sizeof defaults, .start = 1, .lower = 0.01, .upper = 100};
@@ -118,76 +118,6 @@ trk_status trk_calibration_add_parameter(trk_calibration *calibration, const cha
     return TRK_OK;
 }
 
-/* '*' stands for any text, also none. */
-static bool matches(const char *pattern, const char *name)
-{
-    const char *star = NULL, *retry = NULL;
-    while (*name) {
-        if (*pattern == '*') {
-            star = ++pattern;
-            retry = name;
-        } else if (*pattern == *name) {
-            pattern++;
-            name++;
-        } else if (star) {
-            pattern = star;
-            name = ++retry;
-        } else {
-            return false;
-        }
-    }
-    while (*pattern == '*')
-        pattern++;
-    return !*pattern;
-}
-
-static trk_part part_kind(trk_field field)
-{
-    return field == TRK_FIELD_STIFFNESS || field == TRK_FIELD_DAMPING ? TRK_PART_LINK
-                                                                      : TRK_PART_BODY;
-}
-
-static bool overlap(trk_field a, trk_field b)
-{
-    bool mass_a = a == TRK_FIELD_MASS || a == TRK_FIELD_INERTIA;
-    bool mass_b = b == TRK_FIELD_MASS || b == TRK_FIELD_INERTIA;
-    return a == b || (a == TRK_FIELD_MASS_INERTIA && mass_b) ||
-           (b == TRK_FIELD_MASS_INERTIA && mass_a);
-}
-
-/* The numbers of a field of one part: their count, the first non-zero one, curves among them. */
-static int count_numbers(const trk_calibration *calibration, trk_field field, int32_t part,
-                         double *out_value, bool *out_curve)
-{
-    trk_link_options link;
-    trk_body_options body;
-    trk_link_options_init(&link, sizeof link);
-    trk_body_options_init(&body, sizeof body);
-    double number[4] = {0};
-    *out_curve = false;
-    if (part_kind(field) == TRK_PART_LINK) {
-        (void)!trk_spec_get_link(calibration->base, part, &link);
-        bool stiffness = field == TRK_FIELD_STIFFNESS;
-        number[0] = stiffness ? link.stiffness : link.damping;
-        *out_curve = stiffness ? link.spring_curve && link.spring_scale != 0
-                               : link.damper_curve && link.damper_scale != 0;
-    } else {
-        (void)!trk_spec_get_body(calibration->base, part, &body);
-        if (field != TRK_FIELD_INERTIA)
-            number[0] = body.mass;
-        if (field != TRK_FIELD_MASS)
-            memcpy(number + 1, body.inertia, sizeof body.inertia);
-    }
-    int count = 0;
-    *out_value = 0;
-    for (int k = 3; k >= 0; k--)
-        if (number[k] != 0) {
-            *out_value = number[k];
-            count++;
-        }
-    return count + *out_curve;
-}
-
 static trk_status check_action(const trk_calibration *calibration, int32_t parameter,
                                trk_field field, int32_t part, const char *name,
                                double *out_reference)
@@ -196,29 +126,20 @@ static trk_status check_action(const trk_calibration *calibration, int32_t param
     const char *parameter_name = trk_names_text(&calibration->parameter_names, parameter);
     for (int32_t k = 0; k < calibration->action_count; k++) {
         const trk_fit_action *a = &calibration->actions[k];
-        if (part_kind(a->field) == part_kind(field) && a->part == part && overlap(a->field, field))
+        if (trk_field_part(a->field) == trk_field_part(field) && a->part == part &&
+            trk_fields_overlap(a->field, field))
             return trk_fail(context, TRK_E_MODEL,
                             "parameter '%s': '%s' is already acted on by parameter '%s'",
                             parameter_name, name,
                             trk_names_text(&calibration->parameter_names, a->parameter + 1));
     }
+    char who[160];
+    trk_format(who, sizeof who, "parameter '%s'", parameter_name);
+    trk_meaning meaning = calibration->parameters[parameter - 1].options.meaning;
     double value;
-    bool curve;
-    int numbers = count_numbers(calibration, field, part, &value, &curve);
-    if (numbers == 0)
-        return trk_fail(context, TRK_E_MODEL,
-                        "parameter '%s': '%s' has nothing to scale in this field", parameter_name,
-                        name);
-    *out_reference = 1;
-    if (calibration->parameters[parameter - 1].options.meaning == TRK_MEANING_VALUE) {
-        if (numbers != 1 || curve || value < 0)
-            return trk_fail(
-                context, TRK_E_MODEL,
-                "parameter '%s' is a value, but '%s' has not one positive number in this field",
-                parameter_name, name);
-        *out_reference = value;
-    }
-    return TRK_OK;
+    trk_status status = trk_spec_check_field(calibration->base, who, field, part, meaning, &value);
+    *out_reference = meaning == TRK_MEANING_VALUE ? value : 1;
+    return status;
 }
 
 trk_status trk_calibration_act_on(trk_calibration *calibration, int32_t parameter, trk_field field,
@@ -230,22 +151,21 @@ trk_status trk_calibration_act_on(trk_calibration *calibration, int32_t paramete
     if (parameter < 1 || parameter > trk_fit_parameter_count(calibration))
         return trk_fail(context, TRK_E_ARGUMENT, "trk_calibration_act_on: there is no parameter %d",
                         parameter);
-    if (field < TRK_FIELD_STIFFNESS || field > TRK_FIELD_MASS_INERTIA)
-        return trk_fail(context, TRK_E_ARGUMENT, "trk_calibration_act_on: there is no field %d",
-                        field);
+    trk_status status = trk_check_field(context, "trk_calibration_act_on", field);
+    if (status != TRK_OK)
+        return status;
     if (!isfinite(power) || power == 0)
         return trk_fail(context, TRK_E_RANGE,
                         "trk_calibration_act_on: power is %g; a finite number but 0 is needed",
                         power);
-    trk_part kind = part_kind(field);
+    trk_part kind = trk_field_part(field);
     int32_t parts = trk_spec_count(calibration->base, kind), before = calibration->action_count;
-    trk_status status =
-        trk_grow(context, (void **)&calibration->actions, &calibration->action_capacity,
-                 (int64_t)before + parts, sizeof *calibration->actions);
+    status = trk_grow(context, (void **)&calibration->actions, &calibration->action_capacity,
+                      (int64_t)before + parts, sizeof *calibration->actions);
     for (int32_t part = 1; status == TRK_OK && part <= parts; part++) {
         const char *name = trk_spec_part_name(calibration->base, kind, part);
         trk_fit_action action = {parameter - 1, field, part, power, 1};
-        if (!matches(pattern, name))
+        if (!trk_spec_matches(pattern, name))
             continue;
         status = check_action(calibration, parameter, field, part, name, &action.reference);
         if (status == TRK_OK)

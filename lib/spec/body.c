@@ -18,24 +18,27 @@ void trk_body_options_init(trk_body_options *options, size_t struct_size)
 }
 
 /* Zero mass is legal here: point masses may supply it. Compiling checks the sum. */
+trk_status trk_check_body(trk_context *context, const char *name, const trk_body_options *body)
+{
+    static const char *const inertia[] = {"roll inertia", "pitch inertia", "yaw inertia"};
+    if (body->freedoms == 0 || (body->freedoms & ~ALL_FREEDOMS))
+        return trk_fail(context, TRK_E_ARGUMENT,
+                        "body '%s': freedoms is %d; a sum of TRK_FREE_... values is needed", name,
+                        body->freedoms);
+    trk_status status = trk_check_not_negative(context, "body", name, "mass", body->mass);
+    for (int k = 0; status == TRK_OK && k < 3; k++)
+        status = trk_check_not_negative(context, "body", name, inertia[k], body->inertia[k]);
+    if (status == TRK_OK)
+        status = trk_check_finite(context, "body", name, "centre of gravity", 3, body->cg);
+    return status;
+}
+
 static trk_status read_body(trk_context *context, const char *name, const trk_body_options *options,
                             trk_body_options *out)
 {
-    static const char *const inertia[] = {"roll inertia", "pitch inertia", "yaw inertia"};
     *out = defaults;
     trk_status status = trk_read_options(context, "trk_body_options", options, out, sizeof *out);
-    if (status != TRK_OK)
-        return status;
-    if (out->freedoms == 0 || (out->freedoms & ~ALL_FREEDOMS))
-        return trk_fail(context, TRK_E_ARGUMENT,
-                        "body '%s': freedoms is %d; a sum of TRK_FREE_... values is needed", name,
-                        out->freedoms);
-    status = trk_check_not_negative(context, "body", name, "mass", out->mass);
-    for (int k = 0; status == TRK_OK && k < 3; k++)
-        status = trk_check_not_negative(context, "body", name, inertia[k], out->inertia[k]);
-    if (status == TRK_OK)
-        status = trk_check_finite(context, "body", name, "centre of gravity", 3, out->cg);
-    return status;
+    return status == TRK_OK ? trk_check_body(context, name, out) : status;
 }
 
 trk_status trk_spec_add_body(trk_spec *spec, const char *name, const trk_body_options *options,

@@ -46,7 +46,8 @@ static trk_status check_ends(const trk_spec *spec, const char *name, const trk_l
     return TRK_OK;
 }
 
-static trk_status check_values(trk_context *context, const char *name, const trk_link_options *link)
+trk_status trk_check_link_values(trk_context *context, const char *name,
+                                 const trk_link_options *link)
 {
     trk_status status = trk_check_direction(context, "link", name, link->direction);
     if (status == TRK_OK)
@@ -84,7 +85,7 @@ static trk_status read_link(const trk_spec *spec, const char *name, const trk_li
     if (status == TRK_OK)
         status = check_ends(spec, name, out);
     if (status == TRK_OK)
-        status = check_values(context, name, out);
+        status = trk_check_link_values(context, name, out);
     if (status == TRK_OK)
         status = own_curve(context, &out->spring_curve);
     if (status != TRK_OK)

@@ -52,6 +52,10 @@ trk_status trk_check_not_negative(trk_context *context, const char *what, const 
                                   const char *field, double value);
 trk_status trk_check_direction(trk_context *context, const char *what, const char *name,
                                const double *direction);
+/* Values of a link that any change of it must keep; all of a body. */
+trk_status trk_check_link_values(trk_context *context, const char *name,
+                                 const trk_link_options *link);
+trk_status trk_check_body(trk_context *context, const char *name, const trk_body_options *body);
 trk_status trk_check_id(const trk_spec *spec, const char *what, const char *name, trk_part part,
                         int32_t id);
 
