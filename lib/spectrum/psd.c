@@ -2,8 +2,6 @@
 /* Public spectra: PSD, cross spectrum, coherence, H1. */
 #include "spectrum/welch.h"
 
-#include <math.h>
-
 int64_t trk_psd_length(const trk_spectrum_options *options, int64_t count)
 {
     trk_spectrum_settings settings;
@@ -35,22 +33,6 @@ trk_status trk_psd_frequencies(trk_context *context, int64_t count, double sampl
     return TRK_OK;
 }
 
-/* One-sided, scaled values of `parts` numbers a frequency (SPECTRUM.3, SPECTRUM.4). */
-static trk_status write_scaled(const trk_welch *welch, const char *what, double sample_rate,
-                               int64_t parts, const double *average, double *out)
-{
-    const double scale = trk_welch_scale(welch, sample_rate);
-    const int64_t count = parts * welch->settings.length;
-    for (int64_t i = 0; i < count; i++)
-        if (!isfinite(average[i] * (2 * scale)))
-            return trk_fail(welch->context, TRK_E_RANGE,
-                            "%s: the spectrum overflows at a sample_rate of %g Hz", what,
-                            sample_rate);
-    for (int64_t i = 0; i < count; i++)
-        out[i] = average[i] * (trk_welch_sides(welch, i / parts) * scale);
-    return TRK_OK;
-}
-
 trk_status trk_psd(trk_context *context, int64_t count, const double *x, double sample_rate,
                    const trk_spectrum_options *options, double *out_density)
 {
@@ -64,7 +46,7 @@ trk_status trk_psd(trk_context *context, int64_t count, const double *x, double 
             trk_welch_average(context, "trk_psd", count, x, NULL, options, TRK_WELCH_XX, &welch);
     if (status != TRK_OK)
         return status;
-    status = write_scaled(&welch, "trk_psd", sample_rate, 1, welch.xx, out_density);
+    status = trk_welch_write(&welch.plan, "trk_psd", sample_rate, 1, welch.xx, out_density);
     trk_welch_free(&welch);
     return status;
 }
@@ -82,7 +64,7 @@ trk_status trk_csd(trk_context *context, int64_t count, const double *x, const d
         status = trk_welch_average(context, "trk_csd", count, x, y, options, TRK_WELCH_XY, &welch);
     if (status != TRK_OK)
         return status;
-    status = write_scaled(&welch, "trk_csd", sample_rate, 2, welch.xy, out_cross);
+    status = trk_welch_write(&welch.plan, "trk_csd", sample_rate, 2, welch.xy, out_cross);
     trk_welch_free(&welch);
     return status;
 }
@@ -99,7 +81,7 @@ trk_status trk_coherence(trk_context *context, int64_t count, const double *x, c
                                           TRK_WELCH_XX | TRK_WELCH_YY | TRK_WELCH_XY, &welch);
     if (status != TRK_OK)
         return status;
-    for (int64_t k = 0; k < welch.settings.length; k++) {
+    for (int64_t k = 0; k < welch.plan.settings.length; k++) {
         const double re = welch.xy[2 * k], im = welch.xy[2 * k + 1];
         /* Divided in turn: the product of two small powers may underflow. */
         out_coherence[k] =
@@ -121,7 +103,7 @@ trk_status trk_frf_h1(trk_context *context, int64_t count, const double *x, cons
                                           TRK_WELCH_XX | TRK_WELCH_XY, &welch);
     if (status != TRK_OK)
         return status;
-    for (int64_t k = 0; k < 2 * welch.settings.length; k++)
+    for (int64_t k = 0; k < 2 * welch.plan.settings.length; k++)
         out_response[k] = welch.xy[k] / welch.xx[k / 2];
     trk_welch_free(&welch);
     return TRK_OK;
