@@ -117,38 +117,6 @@ static bool add_link(plain_newton *f, const trk_model *model, int32_t link)
     return good;
 }
 
-plain_newton *plain_newton_create(const trk_model *model, const trk_newmark_options *options)
-{
-    double mass[MAX * MAX];
-    if (model->n > MAX || model->names[TRK_PART_ROAD].count > MAX_ROADS)
-        return NULL;
-    plain_newton *f = calloc(1, sizeof *f);
-    if (!f)
-        return NULL;
-    f->element = calloc(2 * (size_t)model->links.count, sizeof *f->element);
-    f->n = model->n;
-    f->roads = model->names[TRK_PART_ROAD].count;
-    f->h = options->step;
-    f->beta = options->beta;
-    f->gamma = options->gamma;
-    f->tolerance = options->tolerance;
-    f->max_iterations = options->max_iterations;
-    bool good = f->element;
-    for (int32_t k = 0; good && k < model->links.count; k++)
-        good = add_link(f, model, k);
-    if (!good) {
-        plain_newton_destroy(f);
-        return NULL;
-    }
-    trk_model_get_mass(model, mass);
-    for (int i = 0; i < f->n; i++)
-        for (int j = 0; j < f->n; j++) {
-            f->m[i][j] = mass[i * f->n + j];
-            f->s0[i][j] = f->m[i][j] + f->h * (f->gamma * f->c[i][j] + f->beta * f->h * f->k[i][j]);
-        }
-    return f;
-}
-
 void plain_newton_destroy(plain_newton *f)
 {
     if (f)
@@ -181,6 +149,62 @@ static void cholesky_solve(int n, double s[MAX][MAX], double *x)
             x[i] -= s[k][i] * x[k];
         x[i] *= s[i][i];
     }
+}
+
+/* a := M^-1 (road forces - element forces) at q = v = 0, also as its past. */
+static void start(plain_newton *f, const double *height, const double *velocity)
+{
+    double s[MAX][MAX];
+    memcpy(s, f->m, sizeof s);
+    for (int i = 0; i < f->n; i++)
+        for (int j = 0; j < f->roads; j++)
+            f->a[i] += f->ku[i][j] * height[j] + f->cu[i][j] * velocity[j];
+    for (int k = 0; k < f->elements; k++) {
+        double slope, force = evaluate(&f->element[k].curve, 0, &slope);
+        for (int i = 0; i < f->n; i++)
+            f->a[i] -= force * f->element[k].b[i];
+    }
+    cholesky_solve(f->n, s, f->a);
+    memcpy(f->past1, f->a, sizeof f->a);
+    memcpy(f->past2, f->a, sizeof f->a);
+}
+
+plain_newton *plain_newton_create(const trk_model *model, const trk_newmark_options *options,
+                                  const double *height, const double *velocity)
+{
+    double mass[MAX * MAX];
+    trk_newmark_options defaults;
+    trk_newmark_options_init(&defaults, sizeof defaults);
+    if (!options)
+        options = &defaults;
+    if (model->n > MAX || model->names[TRK_PART_ROAD].count > MAX_ROADS)
+        return NULL;
+    plain_newton *f = calloc(1, sizeof *f);
+    if (!f)
+        return NULL;
+    f->element = calloc(2 * (size_t)model->links.count, sizeof *f->element);
+    f->n = model->n;
+    f->roads = model->names[TRK_PART_ROAD].count;
+    f->h = options->step;
+    f->beta = options->beta;
+    f->gamma = options->gamma;
+    f->tolerance = options->tolerance;
+    f->max_iterations = options->max_iterations;
+    bool good = f->element;
+    for (int32_t k = 0; good && k < model->links.count; k++)
+        good = add_link(f, model, k);
+    if (!good) {
+        plain_newton_destroy(f);
+        return NULL;
+    }
+    trk_model_get_mass(model, mass);
+    for (int i = 0; i < f->n; i++)
+        for (int j = 0; j < f->n; j++) {
+            f->m[i][j] = mass[i * f->n + j];
+            f->s0[i][j] = f->m[i][j] + f->h * (f->gamma * f->c[i][j] + f->beta * f->h * f->k[i][j]);
+        }
+    start(f, height, velocity);
+    return f;
 }
 
 /* r = M a + C v + K q - load + element forces, and the tangent; returns the largest force. */

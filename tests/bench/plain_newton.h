@@ -13,11 +13,13 @@
 
 typedef struct plain_newton plain_newton;
 
-/* From rest at q = 0. NULL: no memory, too many coordinates, or a curve on a road. */
-plain_newton *plain_newton_create(const trk_model *model, const trk_newmark_options *options);
+/* At rest, in balance with a road at t = 0. NULL: no memory, too many coordinates, or a curve on
+ * a road. options NULL for the defaults. */
+plain_newton *plain_newton_create(const trk_model *model, const trk_newmark_options *options,
+                                  const double *height, const double *velocity);
 void plain_newton_destroy(plain_newton *f);
 
-/* false: no convergence. */
+/* Road at the end of the step. false: no convergence. */
 bool plain_newton_step(plain_newton *f, const double *height, const double *velocity);
 const double *plain_newton_q(const plain_newton *f);
 
