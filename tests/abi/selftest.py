@@ -39,6 +39,11 @@ typedef struct trk_gap_options {
 typedef struct trk_point {
     double x, y;
 } trk_point;
+typedef struct trk_mini_result {
+    size_t struct_size;
+    double more;
+} trk_mini_result;
+TRK_API int32_t trk_mini_result_of(const trk_mini *mini, trk_mini_result *result);
 TRK_API int32_t trk_mini_run(trk_mini *mini, const trk_mini_options *options);
 TRK_API int32_t trk_mini_stop(trk_mini *mini, const trk_gap_options *options, trk_point *point);
 #endif
@@ -51,6 +56,10 @@ struct trk_mini {
 int32_t trk_mini_run(trk_mini *mini, const trk_mini_options *options)
 {
     return mini->state + options->count;
+}
+int32_t trk_mini_result_of(const trk_mini *mini, trk_mini_result *result)
+{
+    return mini->state + (int32_t)result->more;
 }
 int32_t trk_mini_stop(trk_mini *mini, const trk_gap_options *options, trk_point *point)
 {
@@ -65,6 +74,7 @@ ALLOWED = [
     ("nothing changed", "", "", "", ""),
     ("function added", "TRK_API int32_t trk_mini_run", "TRK_API int32_t trk_more(void);\nTRK_API int32_t trk_mini_run",
      "int32_t trk_mini_run", "int32_t trk_more(void)\n{\n    return 1;\n}\nint32_t trk_mini_run"),
+    ("result appended", "double more;\n} trk_mini_result", "double more, most;\n} trk_mini_result", "", ""),
     ("option appended", "int32_t count;\n} trk_mini_options", "int32_t count;\n    double more;\n} trk_mini_options", "", ""),
     ("constant added", "TRK_KIND_B = 1", "TRK_KIND_B = 1,\n    TRK_KIND_C = 2", "", ""),
     ("status added", "X(TRK_E_B, 2)", "X(TRK_E_B, 2) X(TRK_E_C, 3)", "", ""),
@@ -72,6 +82,11 @@ ALLOWED = [
 ]
 FORBIDDEN = [
     ("function removed", STOP_DECLARED, "", STOP, ""),
+    ("export that no header declares", "", "", "int32_t trk_mini_run",
+     "extern __attribute__((visibility(\"default\"))) int32_t trk_secret(void);\n"
+     "int32_t trk_secret(void)\n{\n    return 1;\n}\nint32_t trk_mini_run"),
+    ("declared function that is not exported", "TRK_API int32_t trk_mini_run",
+     "TRK_API int32_t trk_lost(void);\nTRK_API int32_t trk_mini_run", "", ""),
     ("option inserted in the middle", "double step;", "double middle;\n    double step;", "", ""),
     ("same-size options swapped", "trk_kind kind;\n    int32_t count;", "int32_t count;\n    trk_kind kind;", "", ""),
     ("option removed", "    double step;\n", "", "", ""),

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh SOURCE BUILD CMAKE CC: use the library built in BUILD as strangers would.
+# run.sh SOURCE BUILD CMAKE CC CXX: use the library built in BUILD as strangers would.
 # Installs into a temporary prefix, moves it, and builds programs against it in every way offered.
 set -euo pipefail
 source=$1 build=$2 cmake=$3
-export CC=$4
+export CC=$4 CXX=$5
 here=$source/tests/consumer
 top=$(mktemp -d)
 trap 'rm -rf "$top"' EXIT
@@ -30,40 +30,82 @@ if grep -rlIE "$top/first|$source|$build" "$libdir/pkgconfig" "$libdir/cmake"; t
     fail "a package file names a directory of the build machine"
 fi
 
-step "pkg-config, shared, C99 and C11"
+step "pkg-config: C99, C11, C++17, shared and static, both installed"
 version=$(pkg-config --modversion truckride)
-for standard in c99 c11; do
-    quietly "$CC" -std=$standard -pedantic-errors -Wall -Werror "$here/main.c" -o "$top/pc_$standard" \
-        $(pkg-config --cflags --libs truckride)
-    library_path=$libdir expect_ok "$top/pc_$standard"
+compile() { # STANDARD PACKAGE OUTPUT
+    local compiler=("$CC" -x c)
+    [[ $1 = c++* ]] && compiler=("$CXX" -x c++)
+    quietly "${compiler[@]}" -std="$1" -pedantic-errors -Wall -Werror "$here/main.c" -x none -o "$3" \
+        $(pkg-config --cflags --libs "$2")
+}
+needs_shared() { readelf -d "$1" | grep -q 'NEEDED.*libtruckride\.so\.0'; }
+for standard in c99 c11 c++17; do
+    compile $standard truckride "$top/pc_shared"
+    library_path=$libdir expect_ok "$top/pc_shared"
+    needs_shared "$top/pc_shared" || fail "pkg-config truckride: $standard does not need libtruckride.so.0"
+    compile $standard truckride-static "$top/pc_static"
+    expect_ok "$top/pc_static"
+    needs_shared "$top/pc_static" && fail "pkg-config truckride-static: $standard needs libtruckride.so"
 done
+
+# Whatever any object of the archive needs must be on the line that pkg-config gives.
+expect_whole() { # ARCHIVE LINK_LINE
+    quietly "$CC" -o "$top/whole" -DTRUCKRIDE_STATIC -I"$prefix/include" "$here/main.c" \
+        -Wl,--whole-archive "$1" -Wl,--no-whole-archive ${2//-ltruckride/}
+    expect_ok "$top/whole"
+}
 
 step "pkg-config --static, with only the archive installed"
 cp -r "$prefix" "$top/static"
 find "$top/static" -name 'libtruckride.so*' -delete
 archive=$(find "$top/static" -name libtruckride.a)
-# Whatever any object of the archive needs must be on the line that pkg-config gives.
-PKG_CONFIG_PATH=$(dirname "$archive")/pkgconfig quietly bash -c '
-    "$CC" "$1/main.c" -o "$2" -Wl,--whole-archive "$3" -Wl,--no-whole-archive \
-        $(pkg-config --static --cflags --libs truckride | sed "s/-ltruckride//") &&
-    "$CC" "$1/main.c" -o "$2" $(pkg-config --static --cflags --libs truckride)' \
-    bash "$here" "$top/pc_static" "$archive"
+export PKG_CONFIG_PATH=$(dirname "$archive")/pkgconfig
+quietly "$CC" "$here/main.c" -o "$top/pc_static" $(pkg-config --static --cflags --libs truckride)
 expect_ok "$top/pc_static"
+expect_whole "$archive" "$(pkg-config --static --libs truckride)"
 pkg-config --static --cflags truckride | grep -q -e -DTRUCKRIDE_STATIC || fail "no -DTRUCKRIDE_STATIC"
 
-step "find_package: C99, C11, C++17, static"
+step "a build without the shared library: plain pkg-config and find_package are static"
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+features=(-DTRUCKRIDE_WITH_CHOLMOD="$(cached TRUCKRIDE_WITH_CHOLMOD)"
+    -DTRUCKRIDE_WITH_LAPACK="$(cached TRUCKRIDE_WITH_LAPACK)" -DTRUCKRIDE_WITH_NLOPT="$(cached TRUCKRIDE_WITH_NLOPT)")
+quietly "$cmake" "${generator[@]}" -S "$source" -B "$top/only" -DTRUCKRIDE_BUILD_SHARED=OFF \
+    -DTRUCKRIDE_BUILD_TESTS=OFF -DTRUCKRIDE_BUILD_EXAMPLES=OFF -DTRUCKRIDE_BUILD_STUDY=OFF "${features[@]}"
+cp "$archive" "$top/only/lib" # the same archive: compiling it again would show nothing
+quietly "$cmake" --install "$top/only" --prefix "$top/archive"
+archive=$(find "$top/archive" -name libtruckride.a)
+export PKG_CONFIG_PATH=$(dirname "$archive")/pkgconfig
+compile c11 truckride "$top/pc_static"
+expect_ok "$top/pc_static"
+expect_whole "$archive" "$(pkg-config --libs truckride)"
+quietly "$cmake" "${generator[@]}" -S "$here/find_package" -B "$top/find_archive" \
+    -DCMAKE_PREFIX_PATH="$top/archive" -DWANTED="$version"
+quietly "$cmake" --build "$top/find_archive"
+expect_ok "$top/find_archive/truckride_c11"
+needs_shared "$top/find_archive/truckride_c11" && fail "truckride::truckride is not static"
+
+export PKG_CONFIG_PATH=$pc
+step "find_package: C99, C11, C++17, shared and static"
 quietly "$cmake" "${generator[@]}" -S "$here/find_package" -B "$top/find" \
     -DCMAKE_PREFIX_PATH="$prefix" -DWANTED="$version"
 quietly "$cmake" --build "$top/find"
-for program in shared_c99 shared_c11 shared_cxx17 static_c11; do
-    expect_ok "$top/find/$program"
+for standard in c99 c11 cxx17; do
+    expect_ok "$top/find/truckride_$standard"
+    expect_ok "$top/find/static_$standard"
+    needs_shared "$top/find/truckride_$standard" || fail "truckride_$standard does not need libtruckride.so.0"
+    needs_shared "$top/find/static_$standard" && fail "static_$standard needs libtruckride.so"
 done
-readelf -d "$top/find/static_c11" | grep -q libtruckride && fail "static_c11 needs libtruckride.so"
-readelf -d "$top/find/shared_c11" | grep -q 'libtruckride\.so\.0' || fail "shared_c11 does not need libtruckride.so.0"
+expect_ok "$top/find/static_whole"
+
+step "find_package in a project of C++ alone"
+quietly "$cmake" "${generator[@]}" -S "$here/find_package" -B "$top/cxx" \
+    -DCMAKE_PREFIX_PATH="$prefix" -DWANTED="$version" -DWITHOUT_C=ON
+quietly "$cmake" --build "$top/cxx"
+expect_ok "$top/cxx/static_cxx17"
 
 step "find_package refuses a newer version and any other minor version"
 IFS=. read -r major minor patch <<<"$version"
-refused=("$major.$minor.$((patch + 1))" "$major.$((minor + 1))" "$((major + 1)).0")
+refused=(99 "$major.$minor.$((patch + 1))" "$major.$((minor + 1))" "$((major + 1)).0")
 [ "$minor" -gt 0 ] && refused+=("$major.$((minor - 1))")
 for wanted in "${refused[@]}"; do
     if "$cmake" "${generator[@]}" -S "$here/find_package" -B "$top/refused" \
@@ -73,19 +115,24 @@ for wanted in "${refused[@]}"; do
     grep -q "compatible with requested version" "$top/log" || { cat "$top/log"; fail "another error"; }
     rm -rf "$top/refused"
 done
-pkg-config --atleast-version "$major.$minor.$((patch + 1))" truckride && fail "pkg-config found a newer version"
+for wanted in 99 "$major.$minor.$((patch + 1))"; do
+    pkg-config --atleast-version "$wanted" truckride && fail "pkg-config found version $wanted in $version"
+done
+pkg-config --atleast-version "$version" truckride || fail "pkg-config does not find $version"
 
 step "DESTDIR"
 DESTDIR=$top/stage quietly "$cmake" --install "$build" --prefix /usr
 stage=$top/stage/usr
 [ -f "$stage/include/truckride/truckride.h" ] || fail "DESTDIR: no header"
 find "$stage" -name 'libtruckride.so.0' | grep -q . || fail "DESTDIR: no library"
+for file in LICENSE README.md CHANGELOG.md docs/theory.md; do
+    [ -f "$stage/share/doc/truckride/$file" ] || fail "DESTDIR: no $file"
+done
 
 step "add_subdirectory in a foreign project"
-cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 quietly "$cmake" "${generator[@]}" -S "$here/add_subdirectory" -B "$top/sub" -DTRUCKRIDE_SOURCE="$source" \
-    -DTRUCKRIDE_WITH_CHOLMOD="$(cached TRUCKRIDE_WITH_CHOLMOD)" -DTRUCKRIDE_WITH_LAPACK="$(cached TRUCKRIDE_WITH_LAPACK)"
-quietly "$cmake" --build "$top/sub"
+    "${features[@]}" -DCMAKE_C_COMPILER_LAUNCHER="$here/reuse.sh"
+TRUCKRIDE_REUSE=$build quietly "$cmake" --build "$top/sub"
 expect_ok "$top/sub/shared"
 expect_ok "$top/sub/static"
 
