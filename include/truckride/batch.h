@@ -25,7 +25,8 @@ typedef struct trk_batch_options {
     double  start;        /**< [s] time at the beginning; default 0                        */
     int64_t record_every; /**< [-] record each such step, >= 1; default 1                  */
     int32_t threads;      /**< [-] most threads at work, the calling one among them, >= 1; default 1 */
-    int32_t reserved;     /**< [-] must be 0                                               */
+    int32_t sensor_count; /**< [-] length of sensors, >= 0; default 0: all sensors         */
+    const int32_t *sensors; /**< [-] ids of the sensors to record, in this order; default NULL */
 } trk_batch_options;
 
 /** Set every field to its default. Call as trk_batch_options_init(&o, sizeof o). */
@@ -52,8 +53,9 @@ TRK_API int64_t trk_batch_samples(const trk_newmark_options *newmark,
  * @param variant 0 .. count - 1: its place in the arrays of trk_batch_run()
  * @param first   number of the first sample of the block; 0 is the initial state
  * @param count   samples in the block, >= 1; not the same in every call
- * @param values  [unit of the sensor] sensors x count, sensor by sensor: sample k of the sensor
- *                with id s is values[(s - 1) * count + k]; valid during the call
+ * @param values  [unit of the sensor] sensors x count, sensor by sensor in the order of the
+ *                options: sample k of the first is values[k], of the second values[count + k];
+ *                valid during the call
  * @return 0 to go on, anything else to end this variant (its status is TRK_E_CANCELLED)
  */
 typedef int32_t (*trk_batch_sink)(void *user, int32_t variant, int64_t first, int64_t count,
@@ -81,7 +83,8 @@ typedef int32_t (*trk_batch_sink)(void *user, int32_t variant, int64_t first, in
  *                    are refused.
  * @return the status of the lowest variant that failed, TRK_OK if none did
  * @retval TRK_E_ARGUMENT  a pointer is NULL, count < 1, a variant differs in structure from the
- *                         first, or its excitation does not fit; the message names variant and part
+ *                         first, or its excitation does not fit (the message names variant and
+ *                         part); or there is no such sensor
  * @retval TRK_E_OPTIONS   options come from a newer header and set an unknown field
  * @retval TRK_E_RANGE     an option is out of its range
  * @retval TRK_E_MODEL     the models have no sensor

@@ -13,10 +13,10 @@ typedef struct solo {
 static void record(solo *r)
 {
     const trk_batch_worker *worker = r->worker;
-    int32_t sensors = worker->batch->models[0]->sensors.count;
+    const trk_batch *batch = worker->batch;
     trk_newmark_read_sensors(r->stepper, worker->row);
-    for (int32_t k = 0; k < sensors; k++)
-        worker->values[k * TRK_LANES_BLOCK + r->waiting] = worker->row[k];
+    for (int32_t k = 0; k < batch->sensors; k++)
+        worker->values[(int64_t)k * TRK_LANES_BLOCK + r->waiting] = worker->row[batch->sensor[k]];
     r->waiting++;
 }
 
@@ -24,11 +24,10 @@ static void record(solo *r)
 static bool flush(solo *r)
 {
     const trk_batch *batch = r->worker->batch;
-    int32_t sensors = batch->models[0]->sensors.count;
     double *values = r->worker->values;
     if (r->waiting == 0)
         return true;
-    for (int32_t k = 1; k < sensors && r->waiting < TRK_LANES_BLOCK; k++)
+    for (int64_t k = 1; k < batch->sensors && r->waiting < TRK_LANES_BLOCK; k++)
         for (int64_t j = 0; j < r->waiting; j++)
             values[k * r->waiting + j] = values[k * TRK_LANES_BLOCK + j];
     if (batch->sink(batch->sink_user, r->variant, r->next_sample, r->waiting, values)) {

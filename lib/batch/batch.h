@@ -19,6 +19,7 @@ typedef struct trk_batch {
     trk_newmark_options newmark;
     trk_batch_options options;
     int64_t steps;
+    int32_t sensors, *sensor;       /* number and 0-based ids of what is recorded  */
     const trk_lanes_kernel *kernel; /* NULL: all variants through the stepper      */
     trk_batch_sink sink;
     void *sink_user;

@@ -169,12 +169,12 @@ static void set_sensors(const filling *f)
     trk_lanes *s = f->s;
     for (int32_t k = 0; k < s->sensors; k++) {
         const trk_lanes_sensor *sensor = &s->sensor[k];
-        int32_t link = f->model->sensor_link[k];
+        int32_t link = f->model->sensor_link[sensor->id];
         double factor[3] = {sensor->row[0] >= 0, sensor->row[1] >= 0, 1};
         const double *values = f->column;
         if (link < 0) {
             memset(f->column, 0, (size_t)s->n * sizeof *f->column);
-            add_modal(f, &f->model->sensors, k, 1, f->column);
+            add_modal(f, &f->model->sensors, sensor->id, 1, f->column);
         } else {
             const trk_law *law = &f->model->laws[link];
             values = f->rows + (int64_t)link * s->n;

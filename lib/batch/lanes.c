@@ -75,12 +75,13 @@ static void list_sensors(trk_lanes *s, const trk_model *model)
     for (int part = 0; part < 3; part++) {
         int32_t before = rows;
         for (int32_t k = 0; k < s->sensors; k++)
-            s->sensor[k].row[part] = reads(model->sensor_quantity[k], part) ? rows++ : -1;
+            s->sensor[k].row[part] =
+                reads(model->sensor_quantity[s->sensor[k].id], part) ? rows++ : -1;
         s->part_rows[part] = rows - before;
     }
     for (int32_t k = 0; k < s->sensors; k++) {
         trk_lanes_sensor *sensor = &s->sensor[k];
-        int32_t link = model->sensor_link[k], found = 0;
+        int32_t link = model->sensor_link[sensor->id], found = 0;
         sensor->road = link >= 0 ? road_of(model, link) : -1;
         sensor->table[0] = sensor->table[1] = -1;
         for (int32_t t = 0; sensor->row[0] >= 0 && sensor->row[1] >= 0 && t < s->tables; t++)
@@ -156,8 +157,8 @@ static void set_step(trk_lanes *s, const trk_newmark_options *o)
 }
 
 trk_status trk_lanes_create(trk_context *context, const trk_model *model,
-                            const trk_newmark_options *options, int64_t record_every, int32_t width,
-                            trk_lanes **out)
+                            const trk_newmark_options *options, int64_t record_every,
+                            int32_t sensors, const int32_t *sensor, int32_t width, trk_lanes **out)
 {
     *out = NULL;
     trk_lanes *s = trk_new(context, 1, sizeof *s);
@@ -169,7 +170,7 @@ trk_status trk_lanes_create(trk_context *context, const trk_model *model,
     s->roads = model->names[TRK_PART_ROAD].count;
     s->ports = model->ports.count;
     s->links = model->links.count;
-    s->sensors = model->sensors.count;
+    s->sensors = sensors;
     s->record_every = record_every;
     set_step(s, options);
     list_tables(s, model);
@@ -180,6 +181,8 @@ trk_status trk_lanes_create(trk_context *context, const trk_model *model,
     s->row_road = trk_new(context, s->road_links, sizeof *s->row_road);
     s->curve = trk_new(context, (int64_t)s->tables * width, sizeof *s->curve);
     if (s->sensor && s->row_link && s->row_road && s->curve) {
+        for (int32_t k = 0; k < sensors; k++)
+            s->sensor[k].id = sensor[k];
         list_sensors(s, model);
         s->block_size = deal(s);
         s->block = trk_new(context, s->block_size, sizeof *s->block);

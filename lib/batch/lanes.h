@@ -31,6 +31,7 @@ typedef struct trk_lanes_table {
 
 /* What a sensor reads: rows on displacement, velocity, acceleration of the modes, and the road. */
 typedef struct trk_lanes_sensor {
+    int32_t id;       /* 0-based, in the models                  */
     int32_t row[3];   /* in sensor_rows, on x, v and a; -1: none */
     int32_t road;     /* 0-based, -1: none                       */
     int32_t table[2]; /* whose forces it adds, -1: none          */
@@ -51,7 +52,8 @@ typedef struct trk_lanes_curve {
 typedef struct trk_lanes {
     trk_context *context;
     int32_t width;                              /* lanes                                      */
-    int32_t n, roads, ports, links, sensors;    /* as in the models                           */
+    int32_t n, roads, ports, links;             /* as in the models                           */
+    int32_t sensors;                            /* that are recorded                          */
     int32_t tables, rate_tables;                /* those of rates stand first                 */
     int32_t road_links;                         /* links on a road: the first of the rows     */
     int32_t rows, most_rows;                    /* see `dense`                                */
@@ -126,11 +128,11 @@ bool trk_lanes_fit(const trk_model *model, const trk_newmark_options *options);
 
 /*
  * Room for `width` variants of that structure, in the caller's context. The model serves for its
- * structure only.
+ * structure only. sensor: 0-based ids of what is recorded, copied.
  */
 trk_status trk_lanes_create(trk_context *context, const trk_model *model,
-                            const trk_newmark_options *options, int64_t record_every, int32_t width,
-                            trk_lanes **out);
+                            const trk_newmark_options *options, int64_t record_every,
+                            int32_t sensors, const int32_t *sensor, int32_t width, trk_lanes **out);
 void trk_lanes_destroy(trk_lanes *lanes);
 
 /* Do both models have linear damping at the same links? Only such variants share a group. */

@@ -30,9 +30,10 @@ static trk_status check(trk_context *context, const trk_batch_options *o)
     if (o->threads < 1)
         return trk_fail(context, TRK_E_RANGE,
                         "trk_batch_options: threads is %d; at least 1 is needed", o->threads);
-    if (o->reserved != 0)
-        return trk_fail(context, TRK_E_OPTIONS, "trk_batch_options: reserved is %d; it must be 0",
-                        o->reserved);
+    if (o->sensor_count < 0 || (o->sensor_count > 0) != (o->sensors != NULL))
+        return trk_fail(context, TRK_E_ARGUMENT,
+                        "trk_batch_options: sensor_count is %d and sensors is %s; both or none",
+                        o->sensor_count, o->sensors ? "given" : "NULL");
     return TRK_OK;
 }
 

@@ -57,15 +57,15 @@ static trk_status worker_create(trk_batch_worker *worker, trk_batch *batch, size
     trk_context *context = batch->context;
     const trk_model *model = batch->models[0];
     int32_t width = batch->kernel ? batch->kernel->width : 0;
-    int64_t roads = trk_model_count(model, TRK_PART_ROAD), sensors = model->sensors.count;
+    int64_t roads = trk_model_count(model, TRK_PART_ROAD);
     *worker = (trk_batch_worker){.batch = batch, .failed = batch->count};
     worker->arena.size = arena_size;
     worker->arena.block = trk_new(context, (int64_t)arena_size, 1);
     worker->height = trk_new(context, TRK_LANES_BLOCK * roads, sizeof(double));
     worker->velocity = trk_new(context, TRK_LANES_BLOCK * roads, sizeof(double));
     worker->load = trk_new(context, (int64_t)TRK_LANES_BLOCK * model->ports.count, sizeof(double));
-    worker->values = trk_new(context, TRK_LANES_BLOCK * sensors, sizeof(double));
-    worker->row = trk_new(context, sensors, sizeof(double));
+    worker->values = trk_new(context, (int64_t)TRK_LANES_BLOCK * batch->sensors, sizeof(double));
+    worker->row = trk_new(context, model->sensors.count, sizeof(double));
     worker->kept = trk_new(context, (int64_t)width * 2 * model->n, sizeof(double));
     worker->message = trk_new(context, TRK_BATCH_MESSAGE, 1);
     if (!worker->arena.block || !worker->height || !worker->velocity || !worker->load ||
@@ -73,8 +73,8 @@ static trk_status worker_create(trk_batch_worker *worker, trk_batch *batch, size
         return TRK_E_MEMORY;
     if (!batch->kernel)
         return TRK_OK;
-    return trk_lanes_create(context, model, &batch->newmark, batch->options.record_every, width,
-                            &worker->lanes);
+    return trk_lanes_create(context, model, &batch->newmark, batch->options.record_every,
+                            batch->sensors, batch->sensor, width, &worker->lanes);
 }
 
 static void *work(void *worker)
@@ -138,6 +138,25 @@ static trk_status run(trk_batch *batch)
     return status;
 }
 
+/* The sensors of the options, all without. */
+static trk_status list_sensors(trk_batch *batch)
+{
+    const trk_batch_options *o = &batch->options;
+    const trk_model *model = batch->models[0];
+    batch->sensors = o->sensor_count ? o->sensor_count : model->sensors.count;
+    for (int32_t k = 0; k < o->sensor_count; k++)
+        if (o->sensors[k] < 1 || o->sensors[k] > model->sensors.count)
+            return trk_fail(batch->context, TRK_E_ARGUMENT,
+                            "trk_batch_options: sensors[%d] is %d; '%s' has 1 to %d", k,
+                            o->sensors[k], trk_model_name(model), model->sensors.count);
+    batch->sensor = trk_new(batch->context, batch->sensors, sizeof *batch->sensor);
+    if (!batch->sensor)
+        return TRK_E_MEMORY;
+    for (int32_t k = 0; k < batch->sensors; k++)
+        batch->sensor[k] = o->sensor_count ? o->sensors[k] - 1 : k;
+    return TRK_OK;
+}
+
 trk_status trk_batch_run_with(int32_t kernel, trk_context *context, int32_t count,
                               const trk_model *const *models,
                               const trk_excitation *const *excitations,
@@ -164,19 +183,24 @@ trk_status trk_batch_run_with(int32_t kernel, trk_context *context, int32_t coun
                                                &batch.options, &batch.steps);
     if (status == TRK_OK)
         status = trk_batch_check_structure(&batch);
+    if (status == TRK_OK)
+        status = list_sensors(&batch);
     if (status != TRK_OK)
         return status;
     if (trk_lanes_fit(models[0], &batch.newmark))
         batch.kernel = trk_lanes_find_kernel(kernel, models[0]);
     batch.status = trk_new(context, count, sizeof *batch.status);
-    if (!batch.status)
+    if (!batch.status) {
+        trk_free(context, batch.sensor);
         return TRK_E_MEMORY;
+    }
     for (int32_t k = 0; k < count; k++)
         batch.status[k] = TRK_E_MEMORY; /* the only reason why no thread would take it */
     status = run(&batch);
     if (out_status)
         memcpy(out_status, batch.status, (size_t)count * sizeof *out_status);
     trk_free(context, batch.status);
+    trk_free(context, batch.sensor);
     return status;
 }
 

@@ -47,7 +47,7 @@ void trk_reduction_push(const trk_study *study, trk_reduction *reductions, int64
         return;
     for (int32_t c = 0; c < study->channel_count; c++) {
         const trk_channel *channel = &study->channels[c];
-        const double *x = values + (channel->sensor - 1) * count + skip;
+        const double *x = values + c * count + skip;
         trk_moments_push(&reductions[c].moments, count - skip, x);
         if (channel->psd)
             trk_welch_stream_push(&study->plan, &reductions[c].stream, count - skip, x, buffer);

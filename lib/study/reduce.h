@@ -38,7 +38,7 @@ trk_status trk_reduction_create(const trk_study *study, trk_reduction *reduction
 void trk_reduction_free(const trk_study *study, trk_reduction *reductions);
 void trk_reduction_reset(const trk_study *study, trk_reduction *reductions);
 
-/* Take the samples first .. first + count - 1 of all sensors, as a trk_batch_sink gets them.
+/* Take the samples first .. first + count - 1 of all channels, as a trk_batch_sink gets them.
  * buffer: of trk_welch_stream_push(), one pair for each thread. */
 void trk_reduction_push(const trk_study *study, trk_reduction *reductions, int64_t first,
                         int64_t count, const double *values, double *const buffer[2]);

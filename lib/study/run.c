@@ -25,6 +25,7 @@ typedef struct work {
     trk_study *study;
     trk_study_run_options options;
     trk_batch_options batch;
+    int32_t *sensors;   /* of the channels                                          */
     int32_t chunk;      /* most cases at a time                                     */
     int64_t *number;    /* of the cases of this chunk, length chunk                 */
     int32_t count;      /* of them                                                  */
@@ -67,6 +68,7 @@ static void free_work(work *w)
     }
     trk_free(context, w->scratches);
     trk_free(context, w->reductions);
+    trk_free(context, w->sensors);
     trk_free(context, w->number);
     trk_free(context, w->place);
     trk_free(context, w->models);
@@ -117,6 +119,7 @@ static trk_status allocate(work *w)
     w->chunk = choose_chunk(w);
     if (w->options.threads > w->chunk)
         w->options.threads = w->chunk;
+    w->sensors = trk_new(context, study->channel_count, sizeof *w->sensors);
     w->number = trk_new(context, w->chunk, sizeof *w->number);
     w->place = trk_new(context, w->chunk, sizeof *w->place);
     w->models = trk_new(context, w->chunk, sizeof *w->models);
@@ -126,9 +129,13 @@ static trk_status allocate(work *w)
     w->values = trk_new(context, trk_study_outputs(study), sizeof *w->values);
     w->reductions =
         trk_new(context, (int64_t)w->chunk * study->channel_count, sizeof *w->reductions);
-    if (!w->number || !w->place || !w->models || !w->excitations || !w->status || !w->parameters ||
-        !w->values || !w->reductions)
+    if (!w->sensors || !w->number || !w->place || !w->models || !w->excitations || !w->status ||
+        !w->parameters || !w->values || !w->reductions)
         return TRK_E_MEMORY;
+    for (int32_t c = 0; c < study->channel_count; c++)
+        w->sensors[c] = study->channels[c].sensor;
+    w->batch.sensors = w->sensors;
+    w->batch.sensor_count = study->channel_count;
     trk_status status = TRK_OK;
     for (int32_t k = 0; status == TRK_OK && k < w->chunk; k++)
         status = trk_reduction_create(study, w->reductions + (int64_t)k * study->channel_count);

@@ -81,12 +81,39 @@ static void test_mixed(void **state)
     fleet_destroy(&f);
 }
 
+/* Some sensors in an order of one's own are those of all, bit by bit, in lanes and alone. */
+static void test_chosen_sensors(void **state)
+{
+    static const int32_t chosen[] = {30, 2, 2, 17};
+    enum { CHOSEN = sizeof chosen / sizeof *chosen };
+    for (int way = 0; way < 2; way++) {
+        fleet all, some;
+        fleet_create(&all, *state, TRK_VEHICLE_REFERENCE_TRUCK, TRK_VARIANT_THESIS_DAMPERS, 0, 5,
+                     5);
+        fleet_create(&some, *state, TRK_VEHICLE_REFERENCE_TRUCK, TRK_VARIANT_THESIS_DAMPERS, 0, 5,
+                     5);
+        all.kernel = some.kernel = way ? TRK_BATCH_KERNEL_NONE : TRK_BATCH_KERNEL_BEST;
+        some.options.sensors = chosen;
+        some.options.sensor_count = some.sensors = CHOSEN;
+        assert_ok(*state, fleet_run(&all, NULL, NULL));
+        assert_ok(*state, fleet_run(&some, NULL, NULL));
+        for (int32_t v = 0; v < all.count; v++)
+            for (int j = 0; j < CHOSEN; j++)
+                assert_memory_equal(some.recorded[v] + j * some.samples,
+                                    all.recorded[v] + (chosen[j] - 1) * all.samples,
+                                    (size_t)all.samples * sizeof(double));
+        fleet_destroy(&all);
+        fleet_destroy(&some);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_vehicles, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_gravity, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_options, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(test_chosen_sensors, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_mixed, support_setup, support_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

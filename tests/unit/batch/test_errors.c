@@ -169,8 +169,16 @@ static void test_options(void **state)
     REFUSED(record_every, 0, TRK_E_RANGE);
     REFUSED(threads, 0, TRK_E_RANGE);
     REFUSED(threads, -3, TRK_E_RANGE);
-    REFUSED(reserved, 1, TRK_E_OPTIONS);
+    REFUSED(sensor_count, 1, TRK_E_ARGUMENT);
+    REFUSED(sensor_count, -1, TRK_E_ARGUMENT);
     REFUSED(struct_size, 3, TRK_E_OPTIONS);
+    const int32_t sensors[] = {1, 99};
+    f.options = good;
+    f.options.sensors = sensors;
+    assert_status(*state, fleet_run(&f, NULL, NULL), TRK_E_ARGUMENT);
+    f.options.sensor_count = 2;
+    assert_status(*state, fleet_run(&f, NULL, NULL), TRK_E_ARGUMENT);
+    assert_message(*state, "sensors[1] is 99");
     f.options = good;
     f.newmark.step = -1;
     assert_int_equal(trk_batch_samples(&f.newmark, &f.options), 0);
