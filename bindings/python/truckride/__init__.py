@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""Ride dynamics of heavy trucks.
+
+    import truckride as tr
+
+    model = tr.vehicle("reference_truck", "thesis_dampers").compile()
+    run = tr.simulate(model, tr.sweep(), duration=480)
+    run["cab_front_left_z"].psd(segment_length=8192).plot()
+
+SI units; angles in rad; x forward, y left, z up (ISO 8855); elongation and damper velocity are
+positive in extension. Long calls release the GIL. Models, curves, signals and excitations may
+be shared by threads; steppers, specs and calibrations serve one thread at a time and say so.
+"""
+from . import comfort, roughness
+from ._abi import (TRK_STANDARD_GRAVITY as STANDARD_GRAVITY, Averaging, Axis, Backend, Design,
+                   Detrend, Distribution, Exposure, Extrapolation, Feature, Field, Free,
+                   HalfCarLayout, Interpolation, Meaning, Method, Motion, Output, Part, PeakOrder,
+                   Purpose, Quantity, Reaction, RoadClass, RoadTracks, Scaling, Status, StudyPart, Table, TargetKind,
+                   Unfriendly, Variant, Vehicle, Weighting, Window)
+from ._check import check_defaults as _check_defaults
+from ._library import lib as _lib, path as library_path
+from ._options import (AxleDropOptions, AxleTransient, Body, CurveOptions,
+                       HalfCarParameters, IriOptions, Link, LoadNumbers, ModelOptions,
+                       NewmarkOptions, NewmarkStatistics, ParameterOptions, ParameterResult,
+                       PeakOptions, Port, QuarterCarParameters, RoadOptions, RungekuttaOptions, RunOptions,
+                       Sensor, SolveOptions, SpectrumOptions, StudyOptions,
+                       StudyParameterOptions, StudyRunOptions, SweepOptions, TargetResult,
+                       TravelNumbers, TruckParameters, Vibration)
+from ._stepper import LinkState, State, Stepper
+from .batch import Batch, run_batch
+from .calibrate import Calibration, Evaluation, Solution
+from .curve import Curve
+from .errors import (ArgumentError, BusyError, CancelledError, ClosedError, ConvergenceError,
+                     FileError, IdentifyError, InputError, InternalError, LibraryError, LimitError,
+                     ModelError, OptionsError, OutOfMemoryError, RangeError, SingularError,
+                     TargetError, TruckrideError, UnknownNameError, UnsupportedError)
+from .excitation import Excitation, Inputs
+from .linear import (Mode, Modes, RandomResponse, Response, frequency_response, response_psd,
+                     response_psd_excited, road_cross_spectra)
+from .model import Model, Static, Tangent
+from .newmark import Newmark, adams, generalized_alpha, hht
+from .road import Tracks, road, road_coherence, road_density
+from .rungekutta import RungeKutta, StepLimit, step_limit
+from .series import Channel, Series
+from .signal import Signal, sweep
+from .simulate import simulate
+from .spec import Description, PointMass, Road, Spec
+from .spectrum import (Peak, Psd, band_rms, coherence, csd, frf, psd, psd_frequencies,
+                       psd_normalise, psd_peaks, psd_segments)
+from .study import Case, Study
+from .vehicle import axle_quarter, half_car, half_truck, quarter_car, truck, vehicle
+
+_check_defaults()
+
+__version__: str = (_lib.trk_version_text() or b"").decode()
+
+
+def has_feature(feature: Feature) -> bool:
+    """Whether this build of the library has CHOLMOD, LAPACK or NLopt."""
+    return bool(_lib.trk_has_feature(feature))
+
+
+__all__ = [
+    "ArgumentError", "Averaging", "Axis", "AxleDropOptions", "AxleTransient", "Backend",
+    "Batch", "Body", "BusyError", "Calibration", "CancelledError", "Case",
+    "Channel", "ClosedError", "ConvergenceError", "Curve", "CurveOptions", "Description",
+    "Design", "Detrend", "Distribution", "Evaluation", "Excitation", "Exposure",
+    "Extrapolation", "Feature", "Field", "FileError", "Free", "HalfCarLayout",
+    "HalfCarParameters", "IdentifyError", "InputError", "Inputs", "InternalError",
+    "Interpolation", "IriOptions", "LibraryError", "LimitError", "Link", "LinkState",
+    "LoadNumbers", "Meaning", "Method", "Mode", "Model", "ModelError", "ModelOptions", "Modes",
+    "Motion", "Newmark", "NewmarkOptions", "NewmarkStatistics", "OptionsError",
+    "OutOfMemoryError", "Output", "ParameterOptions", "ParameterResult", "Part", "Peak",
+    "PeakOptions", "PeakOrder", "PointMass", "Port", "Psd", "Purpose", "Quantity",
+    "QuarterCarParameters", "RandomResponse", "RangeError", "Reaction", "Response", "Road",
+    "RunOptions", "RungeKutta", "RungekuttaOptions", "STANDARD_GRAVITY", "Scaling", "Sensor",
+    "Series", "Signal", "SingularError", "Solution", "SolveOptions", "Spec", "SpectrumOptions",
+    "State", "Static", "Status", "StepLimit", "Stepper", "Study", "StudyOptions",
+    "StudyParameterOptions", "StudyPart", "StudyRunOptions", "SweepOptions", "Table", "Tangent",
+    "TargetError", "TargetKind", "TargetResult", "TravelNumbers", "TruckParameters",
+    "TruckrideError", "Unfriendly", "UnknownNameError", "UnsupportedError", "Variant",
+    "Vehicle", "Vibration", "Weighting", "Window", "__version__", "adams", "axle_quarter",
+    "band_rms", "coherence", "comfort", "csd", "frequency_response", "frf", "generalized_alpha",
+    "half_car", "half_truck", "has_feature", "hht", "library_path", "psd", "psd_frequencies",
+    "psd_normalise", "psd_peaks", "psd_segments", "quarter_car", "response_psd",
+    "response_psd_excited", "road_cross_spectra", "roughness", "run_batch", "simulate", "Tracks", "road", "road_coherence", "road_density", "RoadClass",
+    "RoadTracks", "RoadOptions",
+    "step_limit", "sweep", "truck", "vehicle",
+]
