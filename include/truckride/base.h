@@ -47,6 +47,7 @@
 #  define TRK_MUST_CHECK
 #endif
 
+/** Version of these headers; trk_version() is that of the running library. */
 #define TRK_VERSION_MAJOR 0
 #define TRK_VERSION_MINOR 1
 #define TRK_VERSION_PATCH 0
@@ -54,6 +55,7 @@
 /** Result of every call that can fail. Values never change and are never reused. */
 typedef int32_t trk_status;
 
+/** Every status, its number and its text, as X(name, number, text). */
 #define TRK_STATUS_LIST(X)                                                                  \
     X(TRK_OK,             0, "success")                                                     \
     X(TRK_E_ARGUMENT,     1, "invalid argument")                                            \

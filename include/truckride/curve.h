@@ -21,8 +21,10 @@
 
 #include <truckride/base.h>
 
+/** A curve; immutable. */
 typedef struct trk_curve trk_curve;
 
+/** Interpolation between the points of the table; see the table above. */
 typedef int32_t trk_interpolation;
 enum {
     TRK_INTERPOLATION_PCHIP      = 0,
@@ -32,6 +34,7 @@ enum {
     TRK_INTERPOLATION_LINEAR     = 4
 };
 
+/** What follows beyond the first and last point. */
 typedef int32_t trk_extrapolation;
 enum {
     TRK_EXTRAPOLATION_SLOPE = 0, /**< straight on with the slope at the end */

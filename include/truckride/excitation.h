@@ -17,6 +17,7 @@
 #include <truckride/model.h>
 #include <truckride/signal.h>
 
+/** What moves the wheels and loads the ports of a model. */
 typedef struct trk_excitation trk_excitation;
 
 /** In place of a road id: all road inputs, those with y >= 0, those with y < 0. */

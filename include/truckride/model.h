@@ -26,6 +26,7 @@
 
 #include <truckride/spec.h>
 
+/** A compiled vehicle; immutable. */
 typedef struct trk_model trk_model;
 
 /** Standard gravity [m/s^2]. */

@@ -12,6 +12,7 @@
 
 #include <truckride/base.h>
 
+/** Channels over one time axis. */
 typedef struct trk_series trk_series;
 
 /**

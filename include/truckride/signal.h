@@ -15,6 +15,7 @@
 
 #include <truckride/base.h>
 
+/** A scalar function with its derivative; immutable. */
 typedef struct trk_signal trk_signal;
 
 /**
