@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t interrupted;
@@ -36,7 +37,7 @@ int job_complain(const job *j, trk_status status)
     return JOB_FAILED;
 }
 
-/* A whole text file of less than 64 kB; NULL with errno set. */
+/* A whole text file of less than 64 kB, without a 0; NULL with errno set. */
 static char *read_text(const char *path)
 {
     enum { ROOM = 1 << 16 };
@@ -45,8 +46,8 @@ static char *read_text(const char *path)
     if (text) {
         errno = 0;
         const size_t size = fread(text, 1, ROOM, file);
-        if (ferror(file) || size == ROOM) {
-            errno = errno ? errno : EFBIG;
+        if (ferror(file) || size == ROOM || memchr(text, 0, size)) {
+            errno = errno ? errno : size == ROOM ? EFBIG : EILSEQ;
             free(text);
             text = NULL;
         } else {
@@ -154,6 +155,26 @@ static bool read_shard(const char *text, trk_study_run_options *run)
            run->shard >= 1 && run->shard <= run->shards;
 }
 
+static const char *expected_by(const char *name)
+{
+    static const char *const list[][2] = {
+        {"--vehicle", "thesis_quarter, reference_front, reference_rear, reference_half or "
+                      "reference_truck"},
+        {"--variant", "linear, thesis or nonlinear"},
+        {"--design", "lhs, monte_carlo or factorial"},
+        {"--duration", "a number"},
+        {"--settle", "a number"},
+        {"--step", "a number"},
+        {"--overlap", "a number"},
+        {"--shard", "I/N with 1 <= I <= N"},
+        {"--threads", "a whole number from 1 to 65536"},
+        {"--chunk", "a whole number from 0 to 2147483647"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        if (strcmp(list[k][0], name) == 0)
+            return list[k][1];
+    return "a whole number";
+}
+
 /* An option with a value that is no part of the study's description. */
 static bool read_option(job *j, const char *name, const char *value, bool *out_known)
 {
@@ -214,11 +235,24 @@ static bool read_switch(job *j, const char *word)
     return on != NULL;
 }
 
+static int read_pair(job *j, const char *word, const char *value)
+{
+    bool known;
+    if (!value || strncmp(value, "--", 2) == 0)
+        return job_usage(j, "unknown option, or one without its value:", word);
+    if (describes(word) || read_option(j, word, value, &known))
+        return JOB_DONE;
+    if (!known)
+        return job_usage(j, "unknown option", word);
+    fprintf(stderr, "%s: %s expects %s, not '%s' (see %s --help)\n", j->program, word,
+            expected_by(word), value, j->program);
+    return JOB_USAGE;
+}
+
 static int read_words(job *j)
 {
     for (int k = 0; k < j->words; k++) {
         const char *word = j->word[k];
-        bool known;
         if (strcmp(word, "merge") == 0 && k == 0) {
             j->merge = true;
         } else if (strncmp(word, "--", 2) != 0) {
@@ -226,19 +260,47 @@ static int read_words(job *j)
                 return job_usage(j, "unexpected word", word);
             j->input[j->inputs++] = word;
         } else if (!read_switch(j, word)) {
-            const char *value = k + 1 < j->words ? j->word[k + 1] : NULL;
-            if (!value)
-                return job_usage(j, "unknown option, or one without its value:", word);
+            const int code = read_pair(j, word, k + 1 < j->words ? j->word[k + 1] : NULL);
+            if (code != JOB_DONE)
+                return code;
             k++;
-            if (!describes(word) && !read_option(j, word, value, &known)) {
-                if (!known)
-                    return job_usage(j, "unknown option", word);
-                fprintf(stderr, "%s: %s ", j->program, word);
-                return job_usage(j, "cannot be", value);
-            }
         }
     }
     return JOB_DONE;
+}
+
+static bool same_file(const char *a, const char *b)
+{
+    struct stat first, second;
+    return strcmp(a, b) == 0 || (stat(a, &first) == 0 && stat(b, &second) == 0 &&
+                                 first.st_dev == second.st_dev && first.st_ino == second.st_ino);
+}
+
+/* Before hours of work: may the table be written, and not over a journal? */
+static int check_table(const job *j)
+{
+    if (!j->csv)
+        return JOB_DONE;
+    bool journal = j->journal && same_file(j->csv, j->journal);
+    for (int k = 0; k < j->inputs; k++)
+        journal = journal || same_file(j->csv, j->input[k]);
+    if (journal)
+        return job_usage(j, "the table would overwrite a journal:", j->csv);
+    struct stat about;
+    bool writable = access(j->csv, W_OK) == 0;
+    if (writable && stat(j->csv, &about) == 0 && S_ISDIR(about.st_mode)) {
+        writable = false;
+        errno = EISDIR;
+    } else if (!writable && errno == ENOENT) {
+        const char *slash = strrchr(j->csv, '/');
+        char *folder = slash ? strndup(j->csv, (size_t)(slash - j->csv) + 1) : NULL;
+        writable = *j->csv && access(folder ? folder : ".", W_OK) == 0;
+        free(folder);
+    }
+    if (writable)
+        return JOB_DONE;
+    fprintf(stderr, "%s: %s: cannot be written (%s)\n", j->program, j->csv, strerror(errno));
+    return JOB_FAILED;
 }
 
 static int describe(job *j)
@@ -281,6 +343,8 @@ int job_open(job *j, int argc, char **argv, bool loud)
     int code = collect_words(j, argc, argv);
     if (code == JOB_DONE)
         code = read_words(j);
+    if (code == JOB_DONE && loud && !j->help && !j->list)
+        code = check_table(j);
     j->quiet = j->quiet || !loud;
     if (code != JOB_DONE || j->help)
         return code;
@@ -301,7 +365,7 @@ int job_open(job *j, int argc, char **argv, bool loud)
         status = trk_study_set_spectrum(j->study, &j->spectrum);
     if (status != TRK_OK)
         return job_complain(j, status);
-    struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = SA_RESETHAND};
+    struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = (int)SA_RESETHAND};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     return describe(j);
@@ -335,10 +399,13 @@ int job_finish(job *j, trk_status status)
                : status == TRK_E_CANCELLED ? JOB_INTERRUPTED
                                            : job_complain(j, status);
     const int64_t cases = trk_study_cases(j->study), finished = trk_study_finished(j->study);
-    int64_t failed = 0;
-    for (int64_t k = 0; k < cases; k++) {
+    int64_t failed = 0, seen = 0;
+    for (int64_t k = 0; seen < finished; k++) {
         trk_status outcome;
-        failed += trk_study_get_outputs(j->study, k, NULL, &outcome) == TRK_OK && outcome;
+        if (trk_study_get_outputs(j->study, k, NULL, &outcome) == TRK_OK) {
+            seen++;
+            failed += outcome != TRK_OK;
+        }
     }
     status = trk_study_close_journal(j->study);
     if (status == TRK_OK && j->csv)

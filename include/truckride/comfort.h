@@ -417,8 +417,9 @@ TRK_API trk_status trk_seat_factor(trk_context *context, trk_weighting weighting
  * @param tires       number of tires, >= 1
  * @param count       number of samples, >= 0
  * @param force       [N] link force of each tire, tires pointers to count samples each
- * @param static_load [N] what the recorded forces leave out: minus the sum of the tires' entries
- *                    of trk_model_get_static() for a model without gravity, 0 for one with
+ * @param static_load [N] what the recorded forces leave out: 0 if the model was compiled with
+ *                    gravity; if without, minus the sum of the tires' entries of
+ *                    trk_model_get_static() of the same spec compiled with gravity
  * @param out_load    [N] length count
  * @retval TRK_E_ARGUMENT a pointer is NULL
  * @retval TRK_E_RANGE    tires < 1, count is negative, or a value is not finite or too large
@@ -533,6 +534,10 @@ TRK_API void trk_axle_drop_options_init(trk_axle_drop_options *options, size_t s
  * Let an axle of a model drop off a step: the road under its wheels falls by the height at once,
  * from static equilibrium, and the elongation of a suspension link is measured as by
  * trk_axle_transient_measure(); its level at rest is the mean over the last fifth of the run.
+ *
+ * Wheel hop adds peaks of its own where it is weakly damped, as without dampers: the second peak
+ * may then be that of the hop (7 to 15 Hz), or the record be refused. Take the damping ratio
+ * of the mode instead, trk_modes_damping_ratio().
  *
  * @param roads         number of road inputs under the axle, >= 1
  * @param road          their ids, length roads

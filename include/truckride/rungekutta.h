@@ -17,6 +17,8 @@
  * stability (RUNGEKUTTA.3), which creating a stepper checks: stiff links on small masses
  * are a case for trk_newmark. docs/theory/rungekutta.md says which to use when.
  *
+ * Needs TRK_FEATURE_LAPACK, for that check.
+ *
  * Threads: one stepper per thread; steppers may share a model.
  */
 #ifndef TRUCKRIDE_RUNGEKUTTA_H
@@ -50,6 +52,7 @@ TRK_API void trk_rungekutta_options_init(trk_rungekutta_options *options, size_t
  *                 NULL to skip
  * @retval TRK_E_ARGUMENT    a pointer is NULL
  * @retval TRK_E_CONVERGENCE the eigenvalues were not found
+ * @retval TRK_E_UNSUPPORTED a build without LAPACK
  * @retval TRK_E_MEMORY      no memory
  */
 TRK_API trk_status trk_rungekutta_find_limit(trk_context *context, const trk_model *model,

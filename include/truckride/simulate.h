@@ -50,7 +50,8 @@ TRK_API void trk_simulate_options_init(trk_simulate_options *options, size_t str
  * @retval TRK_E_MODEL     the model has no sensor
  * @retval TRK_E_CANCELLED progress returned non-zero
  * Further errors as trk_newmark_create() and trk_newmark_step(), or trk_rungekutta_create() and
- * trk_rungekutta_step(): TRK_E_RANGE if the step is beyond the limit of stability.
+ * trk_rungekutta_step(): TRK_E_RANGE if the step is beyond the limit of stability,
+ * TRK_E_UNSUPPORTED in a build without LAPACK.
  */
 TRK_API trk_status trk_simulate(trk_context *context, const trk_model *model,
                                 const trk_excitation *excitation,

@@ -8,6 +8,8 @@
 #include <truckride/series.h>
 #include <truckride/spectrum.h>
 #include <truckride/signal.h>
+#include <truckride/files.h>
+#include <truckride/crg.h>
 #include <truckride/road.h>
 #include <truckride/spec.h>
 #include <truckride/vehicle.h>

@@ -137,6 +137,8 @@ static trk_status prepare(trk_newmark *stepper)
     stepper->force_floor = find_force_floor(model);
     if (status == TRK_OK)
         status = trk_fast_create(stepper, &stepper->fast);
+    if (status == TRK_OK && stepper->fast)
+        status = trk_fast_create_sensors(stepper);
     if (status == TRK_OK)
         status = trk_newmark_set_state(stepper, 0, NULL, NULL, NULL, NULL, NULL);
     if (status != TRK_OK)

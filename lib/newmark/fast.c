@@ -108,9 +108,9 @@ static int64_t deal(trk_fast *s)
     } arrays[] = {{&s->to_rows, rows * s->modes},
                   {&s->to_modes, modes * s->modes},
                   {&s->elongation, rows * s->modes},
-                  {&s->coupling, rows * s->rows},
+                  {&s->coupling, rows * rows},
                   {&s->diagonal, rows},
-                  {&s->influence, modes * s->rows},
+                  {&s->influence, modes * rows},
                   {&s->height_drive, modes * s->roads},
                   {&s->velocity_drive, modes * s->roads},
                   {&s->load_drive, modes * s->ports},
@@ -131,12 +131,16 @@ static int64_t deal(trk_fast *s)
                   {&s->past[2], rows},
                   {&s->past[3], rows},
                   {&s->past[4], rows},
+                  {&s->past[5], rows},
                   {&s->force, rows},
                   {&s->work_modes, modes},
                   {&s->work_rows, rows},
                   {&s->worst, rows},
                   {&s->layer_value, rows * s->layers},
                   {&s->layer_slope, rows * s->layers},
+                  {&s->moved, rows},
+                  {&s->to_physical, modes * s->modes},
+                  {&s->row, 3 * pad(s->modes) + s->layers * pad(s->rows) + pad(2 * s->roads)},
                   {&s->zeros, pad(s->roads + s->ports)}};
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++) {
         *arrays[k].array = s->block ? s->block + used : NULL;
@@ -226,5 +230,8 @@ void trk_fast_destroy(trk_fast *fast)
         return;
     trk_modal_form_destroy(fast->form);
     trk_free(fast->context, fast->block);
+    trk_free(fast->context, fast->sensor_end);
+    trk_free(fast->context, fast->sensor_column);
+    trk_free(fast->context, fast->sensor_factor);
     trk_free(fast->context, fast);
 }

@@ -51,6 +51,8 @@ static void pack_modes(trk_fast *s, int32_t modes)
     for (int32_t i = 0; i < f->n; i++) {
         double scale = f->kappa * f->inverse[i];
         s->to_modes[i * modes + i] = 1;
+        for (int32_t j = 0; j < f->n; j++)
+            s->to_physical[i * modes + j] = f->phi[j * f->n + i];
         for (int32_t k = 0; k < f->dampers; k++)
             for (int32_t l = 0; l < f->dampers; l++)
                 for (int32_t j = 0; j < f->n; j++)
@@ -118,10 +120,10 @@ static double largest_curvature(const trk_curve *curve)
     return largest;
 }
 
-/* C, b and omega of (NEWMARK.19). */
+/* C, b of (NEWMARK.19), and the bound of (NEWMARK.20). */
 static void pack_bounds(trk_fast *s, int32_t rows)
 {
-    s->off_diagonal = s->whole_row = 0;
+    s->whole_row = 0;
     for (int32_t row = 0; row < s->rows; row++) {
         double slope = 0;
         s->curvature[row] = s->reach[row] = 0;
@@ -136,11 +138,8 @@ static void pack_bounds(trk_fast *s, int32_t rows)
         }
         for (int32_t k = 0; k < s->rows; k++)
             s->reach[row] += k == row ? 0 : fabs(s->coupling[k * rows + row]);
-        s->off_diagonal = fmax(s->off_diagonal, slope * s->reach[row]);
         s->whole_row = fmax(s->whole_row, slope * (s->reach[row] + fabs(s->diagonal[row])));
     }
-    for (int32_t row = 0; row < s->rows && s->off_diagonal > 0; row++)
-        s->reach[row] /= 4 * s->off_diagonal;
 }
 
 /* Lanes without a table hold one of zeros that is never left; the others fetch theirs. */
@@ -168,5 +167,7 @@ void trk_fast_pack(trk_fast *fast, const trk_newmark *stepper, int32_t width)
     pack_modes(fast, modes);
     pack_velocity_drive(fast, stepper->model, modes);
     pack_bounds(fast, rows);
+    fast->mode_stride = modes;
+    fast->row_stride = rows;
     clear_pieces(fast);
 }

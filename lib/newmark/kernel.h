@@ -23,7 +23,8 @@ enum {
     TRK_FAST_MODES = 32,  /* largest system                        */
     TRK_FAST_ROWS = 24,   /* most rows of links with curves        */
     TRK_FAST_LAYERS = 4,  /* most curves on one row                */
-    TRK_FAST_HISTORY = 5, /* rates that the next one is guessed by */
+    TRK_FAST_HISTORY = 6, /* rates that the next one is guessed by */
+    TRK_FAST_SENSORS = 4, /* read at once                          */
     TRK_FAST_PADDING = 8  /* arrays are padded to this many        */
 };
 
@@ -58,6 +59,8 @@ typedef struct trk_fast {
     int32_t modes;                   /* n                                                   */
     int32_t mode_lanes, row_lanes;   /* most numbers in a packed column of any kernel       */
     int32_t mode_blocks, row_blocks; /* lengths of packed columns, in registers of `width`  */
+    int32_t row_stride;              /* the second in numbers                               */
+    int32_t mode_stride;             /* the first in numbers                                */
     int64_t size;                    /* of block                                            */
     int32_t lane[TRK_FAST_ROWS * TRK_FAST_LAYERS]; /* row of each non-linear link           */
     int32_t first[TRK_FAST_ROWS]; /* place of a link of that row among the non-linear    */
@@ -69,9 +72,8 @@ typedef struct trk_fast {
     double c1, c2, c3, c4;   /* of v~' and z'                                       */
     double tolerance, floor; /* of the table forces                                 */
     double limit;            /* of their mismatch in the next step                  */
-    double off_diagonal;     /* omega of (NEWMARK.19) */
-    double whole_row;        /* that of (NEWMARK.20) */
-    /* Columns of matrices, padded to registers. */
+    double whole_row;        /* bound of |S K| (NEWMARK.20)                         */
+    /* Columns of matrices, padded to registers; K and Z with a padded number of columns. */
     double *to_rows, *to_modes;  /* W', T: of v_f                                       */
     double *elongation;          /* W_p: of z                                           */
     double *coupling, *diagonal; /* K and its diagonal                                  */
@@ -91,10 +93,17 @@ typedef struct trk_fast {
     double *work_modes, *work_rows;
     double *worst; /* forces corrected in the step that took most of it   */
     trk_fast_layer layer[TRK_FAST_LAYERS];
-    double *layer_value, *layer_slope; /* of the last evaluation, layers x padded rows      */
+    double *layer_value, *layer_slope; /* of the last evaluation, layers x padded rows        */
+    double *moved;                     /* the rates since it, if there are several layers     */
     double *zeros;                     /* for drives that are NULL                            */
+    double *to_physical;               /* Phi                                                 */
+    double *row;                       /* the raw state (record.c), and the road behind it    */
     bool is_ahead;                     /* of the physical state in stepper->now               */
-    int64_t iterations;                /* corrections so far, and most in one step            */
+    /* Sensors by groups: where their columns end, columns of `row`, factors for each sensor. */
+    int64_t *sensor_end;
+    int32_t *sensor_column;
+    double *sensor_factor;
+    int64_t iterations; /* corrections so far, and most in one step            */
     int32_t max_iterations;
 } trk_fast;
 
@@ -133,6 +142,16 @@ void trk_fast_adopt(trk_fast *fast, const struct trk_newmark *stepper, bool stea
 
 /* Modal displacements, velocities and accelerations, each of length n. */
 void trk_fast_get_motion(const trk_fast *fast, double *out_y, double *out_v, double *out_a);
+
+/* Coordinates, velocities, accelerations at the modal state; NULL to skip. */
+void trk_fast_get_state(const trk_fast *fast, double *out_q, double *out_v, double *out_a);
+
+/* What trk_fast_read_sensors() needs; after trk_fast_create(). TRK_E_MEMORY: the stepper is to be
+ * destroyed. */
+trk_status trk_fast_create_sensors(struct trk_newmark *stepper);
+
+/* Values of all sensors if a kernel took the last step; false: read them elsewhere. */
+bool trk_fast_read_sensors(const struct trk_newmark *stepper, double *out_values);
 
 /* Bring stepper->now up to the modal state. */
 void trk_fast_settle(const struct trk_newmark *stepper);

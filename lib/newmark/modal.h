@@ -32,7 +32,7 @@
 #ifndef TRK_NEWMARK_MODAL_H
 #define TRK_NEWMARK_MODAL_H
 
-#include "model/model.h"
+#include "model/modal_basis.h"
 #include <truckride/newmark.h>
 
 /* A link with a curve; the laws are those of the model. */
@@ -78,13 +78,5 @@ typedef struct trk_modal_form {
 trk_status trk_modal_form_create(trk_context *context, const trk_model *model,
                                  const trk_newmark_options *options, trk_modal_form **out);
 void trk_modal_form_destroy(trk_modal_form *form);
-
-/*
- * Modes by one-sided Jacobi rotations of diag(k)^1/2 B L^-T, M = L L^T, which keeps the low ones
- * accurate beside stiff links. phi, phi_inverse: n x n; lambda: n.
- * TRK_E_SINGULAR, no message: M is not positive definite, or the rotations do not end.
- */
-trk_status trk_modal_basis(trk_context *context, const trk_model *model, double *phi,
-                           double *phi_inverse, double *lambda);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Steps in a row, and the choice of the way to take them. */
+#include "base/processor.h"
 #include "newmark/newmark.h"
 
 #include <math.h>
@@ -11,12 +12,10 @@ static trk_fast_kernel find_kernel(int32_t kernel, int32_t *out_width)
     *out_width = 1 << kernel;
     if (kernel == TRK_KERNEL_PORTABLE)
         return trk_fast_kernel_base;
-#ifdef TRUCKRIDE_X86_KERNELS
-    if (kernel == TRK_KERNEL_AVX2 && __builtin_cpu_supports("avx2") &&
-        __builtin_cpu_supports("fma"))
+#ifdef TRK_X86_KERNELS
+    if (kernel == TRK_KERNEL_AVX2 && trk_processor() >= TRK_PROCESSOR_AVX2)
         return trk_fast_kernel_avx2;
-    if (kernel == TRK_KERNEL_AVX512 && __builtin_cpu_supports("avx512f") &&
-        __builtin_cpu_supports("avx512dq"))
+    if (kernel == TRK_KERNEL_AVX512 && trk_processor() >= TRK_PROCESSOR_AVX512)
         return trk_fast_kernel_avx512;
 #endif
     return NULL;

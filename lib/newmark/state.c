@@ -133,7 +133,10 @@ void trk_newmark_get_state(const trk_newmark *stepper, double *out_q, double *ou
 {
     if (!stepper)
         return;
-    trk_fast_settle(stepper);
+    if (stepper->fast && stepper->fast->is_ahead) {
+        trk_fast_get_state(stepper->fast, out_q, out_v, out_a);
+        return;
+    }
     size_t size = (size_t)stepper->model->n * sizeof(double);
     if (out_q)
         memcpy(out_q, stepper->now.q, size);
@@ -171,7 +174,7 @@ void trk_newmark_get_links(const trk_newmark *stepper, double *out_elongation, d
 
 void trk_newmark_read_sensors(const trk_newmark *stepper, double *out_values)
 {
-    if (!stepper || !out_values)
+    if (!stepper || !out_values || trk_fast_read_sensors(stepper, out_values))
         return;
     const trk_model *model = stepper->model;
     const trk_state *now = &stepper->now;

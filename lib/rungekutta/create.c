@@ -63,7 +63,9 @@ static trk_status prepare(trk_rungekutta *stepper)
     int64_t n = model->n, roads = model->names[TRK_PART_ROAD].count, ports = model->ports.count;
     stepper->block = trk_new(context, deal(stepper, n, roads, ports), sizeof *stepper->block);
     stepper->hints = trk_new(context, model->links.count, sizeof *stepper->hints);
-    if (!stepper->block || !stepper->hints)
+    stepper->spring_column = trk_new(context, model->links.count, sizeof(int32_t));
+    stepper->damper_column = trk_new(context, model->links.count, sizeof(int32_t));
+    if (!stepper->block || !stepper->hints || !stepper->spring_column || !stepper->damper_column)
         return TRK_E_MEMORY;
     deal(stepper, n, roads, ports);
     trk_status status = trk_assembly_create(context, TRK_BACKEND_AUTO, model->n, &model->inertia,
@@ -72,7 +74,7 @@ static trk_status prepare(trk_rungekutta *stepper)
     if (status == TRK_OK)
         status = trk_assembly_factorize(&stepper->assembly, 1, NULL, &bad);
     if (status == TRK_OK)
-        status = trk_explicit_create(stepper, &stepper->modal);
+        status = trk_explicit_create(context, model, stepper->step, &stepper->modal);
     stepper->kernel = trk_explicit_choose_kernel();
     return status == TRK_OK ? trk_rungekutta_set_state(stepper, 0, NULL, NULL, NULL, NULL, NULL)
                             : status;
@@ -140,5 +142,7 @@ void trk_rungekutta_destroy(trk_rungekutta *stepper)
     trk_explicit_destroy(stepper->modal);
     trk_free(context, stepper->block);
     trk_free(context, stepper->hints);
+    trk_free(context, stepper->spring_column);
+    trk_free(context, stepper->damper_column);
     trk_free(context, stepper);
 }

@@ -6,9 +6,9 @@
  *     z' = A z,    A = [      0               s I       ]
  *                      [ -D M^-1 K D^-1 / s  -D M^-1 C D^-1 ]
  */
-#include "rungekutta/hessenberg.h"
 #include "rungekutta/limit.h"
 
+#include "linalg/eigen.h"
 #include "model/model.h"
 #include "system/assembly.h"
 
@@ -23,11 +23,12 @@ struct trk_spectrum_edge {
     const trk_model *model;
     trk_assembly assembly; /* factors of M                               */
     trk_rows no_links;
-    int32_t vectors;                         /* most of the basis, at most 2 n */
-    double *root_mass;                       /* diagonal of D                  */
-    double *basis;                           /* (vectors + 1) x 2 n            */
-    double *q, *v, *force;                   /* n each                         */
-    double complex *hessenberg, *h, *lambda; /* vectors^2, vectors^2, vectors  */
+    int32_t vectors;        /* most of the basis, at most 2 n            */
+    double *root_mass;      /* diagonal of D                             */
+    double *basis;          /* (vectors + 1) x 2 n                       */
+    double *q, *v, *force;  /* n each                                    */
+    double *hessenberg, *h; /* vectors x vectors column-major; a dense copy of its start */
+    double *re, *im;        /* eigenvalues, vectors each                 */
 };
 
 void trk_spectrum_edge_destroy(trk_spectrum_edge *edge)
@@ -37,8 +38,8 @@ void trk_spectrum_edge_destroy(trk_spectrum_edge *edge)
     trk_context *context = edge->context;
     if (edge->assembly.context)
         trk_assembly_clear(&edge->assembly);
-    void *blocks[] = {edge->root_mass, edge->basis,      edge->q, edge->v,
-                      edge->force,     edge->hessenberg, edge->h, edge->lambda};
+    void *blocks[] = {edge->root_mass,  edge->basis, edge->q,  edge->v, edge->force,
+                      edge->hessenberg, edge->h,     edge->re, edge->im};
     for (size_t k = 0; k < sizeof blocks / sizeof *blocks; k++)
         trk_free(context, blocks[k]);
     trk_free(context, edge);
@@ -55,11 +56,12 @@ static trk_status prepare(trk_spectrum_edge *edge)
     edge->q = trk_new(context, n, sizeof(double));
     edge->v = trk_new(context, n, sizeof(double));
     edge->force = trk_new(context, n, sizeof(double));
-    edge->hessenberg = trk_new(context, m * m, sizeof(double complex));
-    edge->h = trk_new(context, m * m, sizeof(double complex));
-    edge->lambda = trk_new(context, m, sizeof(double complex));
+    edge->hessenberg = trk_new(context, m * m, sizeof(double));
+    edge->h = trk_new(context, m * m, sizeof(double));
+    edge->re = trk_new(context, m, sizeof(double));
+    edge->im = trk_new(context, m, sizeof(double));
     if (!edge->root_mass || !edge->basis || !edge->q || !edge->v || !edge->force ||
-        !edge->hessenberg || !edge->h || !edge->lambda)
+        !edge->hessenberg || !edge->h || !edge->re || !edge->im)
         return TRK_E_MEMORY;
     trk_status status = trk_assembly_create(context, TRK_BACKEND_AUTO, model->n, &model->inertia,
                                             model->mass, &edge->no_links, &edge->assembly);
@@ -155,7 +157,7 @@ static double orthogonalise(trk_spectrum_edge *edge, int32_t j, double *next)
                 dot += b[k] * next[k];
             for (int64_t k = 0; k < size; k++)
                 next[k] -= dot * b[k];
-            edge->hessenberg[(int64_t)i * edge->vectors + j] += dot;
+            edge->hessenberg[(int64_t)j * edge->vectors + i] += dot;
         }
     for (int64_t k = 0; k < size; k++)
         sum += next[k] * next[k];
@@ -177,10 +179,10 @@ static trk_status build(trk_spectrum_edge *edge, const trk_linearised *l, int32_
         double rest = orthogonalise(edge, j, next);
         *out_count = j + 1;
         for (int32_t i = 0; i <= j; i++)
-            largest = fmax(largest, cabs(edge->hessenberg[i * m + j]));
+            largest = fmax(largest, fabs(edge->hessenberg[j * m + i]));
         if (!(rest > (double)size * DBL_EPSILON * largest) || j + 1 == m)
             break;
-        edge->hessenberg[(j + 1) * m + j] = rest;
+        edge->hessenberg[j * m + j + 1] = rest;
         for (int64_t k = 0; k < size; k++)
             next[k] /= rest;
     }
@@ -188,19 +190,16 @@ static trk_status build(trk_spectrum_edge *edge, const trk_linearised *l, int32_
 }
 
 trk_status trk_spectrum_edge_find(trk_spectrum_edge *edge, const trk_linearised *linearised,
-                                  const double complex **out_lambda, int32_t *out_count)
+                                  const double **out_re, const double **out_im, int32_t *out_count)
 {
     trk_status status = build(edge, linearised, out_count);
     if (status != TRK_OK)
         return status;
-    int32_t count = *out_count;
-    for (int64_t i = 0; i < count; i++)
-        for (int64_t j = 0; j < count; j++)
-            edge->h[i * count + j] = edge->hessenberg[i * edge->vectors + j];
-    if (!trk_hessenberg_eigenvalues(count, edge->h, edge->lambda))
-        return trk_fail(edge->context, TRK_E_CONVERGENCE,
-                        "%s: the eigenvalues for the limit of stability were not found",
-                        trk_model_name(edge->model));
-    *out_lambda = edge->lambda;
-    return TRK_OK;
+    int64_t count = *out_count;
+    for (int64_t j = 0; j < count; j++)
+        memcpy(edge->h + j * count, edge->hessenberg + j * edge->vectors,
+               (size_t)count * sizeof *edge->h);
+    *out_re = edge->re;
+    *out_im = edge->im;
+    return trk_eigen_general(edge->context, *out_count, edge->h, edge->re, edge->im, NULL);
 }

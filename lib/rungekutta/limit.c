@@ -95,11 +95,11 @@ static trk_status try_corner(limit *l, corner at)
 {
     set_tangents(l, at);
     const trk_linearised linearised = {l->model, l->stiffness, l->damping, l->scale};
-    const double complex *lambda;
+    const double *re, *im;
     int32_t count;
-    trk_status status = trk_spectrum_edge_find(l->edge, &linearised, &lambda, &count);
+    trk_status status = trk_spectrum_edge_find(l->edge, &linearised, &re, &im, &count);
     for (int32_t k = 0; status == TRK_OK && k < count; k++)
-        l->step = fmin(l->step, trk_rungekutta_stable_step(lambda[k]));
+        l->step = fmin(l->step, trk_rungekutta_stable_step(trk_complex(re[k], im[k])));
     return status;
 }
 
@@ -129,6 +129,11 @@ trk_status trk_rungekutta_find_limit(trk_context *context, const trk_model *mode
     TRK_REQUIRE(context, context, "trk_rungekutta_find_limit");
     TRK_REQUIRE(context, model, "trk_rungekutta_find_limit");
     TRK_REQUIRE(context, out_step, "trk_rungekutta_find_limit");
+    if (!trk_has_feature(TRK_FEATURE_LAPACK))
+        return trk_fail(context, TRK_E_UNSUPPORTED,
+                        "%s: the limit of stability of the Runge-Kutta method needs LAPACK, which "
+                        "this build was made without; take trk_newmark",
+                        trk_model_name(model));
     int64_t links = model->links.count;
     limit l = {.context = context,
                .model = model,

@@ -29,9 +29,9 @@ trk_status trk_spectrum_edge_create(trk_context *context, const trk_model *model
                                     trk_spectrum_edge **out);
 void trk_spectrum_edge_destroy(trk_spectrum_edge *edge);
 
-/* The eigenvalues into edge, *out_count of them, from *out_lambda on. */
+/* The eigenvalues re + i im into edge, *out_count of them. */
 trk_status trk_spectrum_edge_find(trk_spectrum_edge *edge, const trk_linearised *linearised,
-                                  const double complex **out_lambda, int32_t *out_count);
+                                  const double **out_re, const double **out_im, int32_t *out_count);
 
 /* b M^-1 b^T for the row of one link: one over the mass that it sees. */
 trk_status trk_spectrum_edge_mobility(trk_spectrum_edge *edge, int32_t link, double *out);

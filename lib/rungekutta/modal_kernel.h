@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Body of the modal step (RUNGEKUTTA.7), included once for each instruction set with KERNEL set
+ * Body of the modal steps (RUNGEKUTTA.6), included once for each instruction set with KERNEL set
  * to the name of the function. Its vectors are as wide as the registers, its sums stay in them.
  */
 #include "rungekutta/modal.h"
@@ -26,57 +26,71 @@ enum {
     PARTS = TRK_EXPLICIT_LANES / WIDTH, /* vectors in a block */
     STATES = TRK_EXPLICIT_STATE_BLOCKS * PARTS,
     TABLES = TRK_EXPLICIT_TABLE_BLOCKS * PARTS,
-    CHAINS = 4,
-    GROUP =
-        WIDTH == 8 ? 6 : 3 /* vectors of rows that are summed at once, CHAINS times: registers */
+    SUMS = WIDTH == 2 ? 6 : 8, /* registers that a product adds up in, at most  */
+    MOST_CHAINS = 4            /* sums of one row: they hide the latency of FMA */
 };
 
 static const lanes zero = {0};
 
-/* Is any lane of a comparison true? */
-INLINE bool any(lane_mask m)
+/* Bits of the lanes that left their piece, or are no number. */
+INLINE uint32_t find_left(lanes x, lanes lower, lanes upper)
 {
 #if defined(__AVX512DQ__)
-    return _mm512_movepi64_mask((__m512i)m) != 0;
-#elif defined(__AVX2__)
-    return _mm256_movemask_pd((__m256d)m) != 0;
-#elif defined(__SSE2__)
-    return _mm_movemask_pd((__m128d)m) != 0;
+    return (uint32_t)(_mm512_cmp_pd_mask((__m512d)x, (__m512d)lower, _CMP_NGE_UQ) |
+                      _mm512_cmp_pd_mask((__m512d)x, (__m512d)upper, _CMP_NLT_UQ));
 #else
-    return m[0] | m[1];
+    lane_mask left = ~((x >= lower) & (x < upper));
+#if defined(__AVX2__)
+    return (uint32_t)_mm256_movemask_pd((__m256d)left);
+#elif defined(__SSE2__)
+    return (uint32_t)_mm_movemask_pd((__m128d)left);
+#else
+    return (left[0] & 1) | (left[1] & 2);
+#endif
 #endif
 }
 
-INLINE const lanes *at(const double *array, int64_t block)
+INLINE lanes *at(double *array, int64_t vector)
 {
-    return (const lanes *)array + block;
+    return (lanes *)array + vector;
 }
 
-/* out[b] += the rows first + b of a matrix of `rows` vectors a column, times x, in four chains. */
+INLINE const lanes *of(const double *array, int64_t vector)
+{
+    return (const lanes *)array + vector;
+}
+
+/* out[b] := out[b] + rows first + b of a matrix of `rows` vectors a column, times x. */
 INLINE void add_rows(const double *matrix, const double *x, int32_t columns, lanes *out,
                      const int first, const int count, const int rows)
 {
-    lanes sum[CHAINS][GROUP];
+    const int most = SUMS / count, chains = most < MOST_CHAINS ? most : MOST_CHAINS;
+    lanes sum[MOST_CHAINS][SUMS];
+    for (int c = 0; c < chains; c++)
+        for (int b = 0; b < count; b++)
+            sum[c][b] = c == 0 ? out[first + b] : zero;
     int32_t k = 0;
-    for (int b = 0; b < count; b++)
-        sum[0][b] = sum[1][b] = sum[2][b] = sum[3][b] = zero;
-    for (; k + CHAINS <= columns; k += CHAINS)
-        for (int c = 0; c < CHAINS; c++)
+    for (; k + chains <= columns; k += chains)
+        for (int c = 0; c < chains; c++)
             for (int b = 0; b < count; b++)
-                sum[c][b] += *at(matrix, (k + c) * rows + first + b) * x[k + c];
+                sum[c][b] += *of(matrix, (k + c) * rows + first + b) * x[k + c];
     for (; k < columns; k++)
         for (int b = 0; b < count; b++)
-            sum[0][b] += *at(matrix, k * rows + first + b) * x[k];
-    for (int b = 0; b < count; b++)
-        out[first + b] += (sum[0][b] + sum[1][b]) + (sum[2][b] + sum[3][b]);
+            sum[0][b] += *of(matrix, k * rows + first + b) * x[k];
+    for (int b = 0; b < count; b++) {
+        lanes total = sum[0][b];
+        for (int c = 1; c < chains; c++)
+            total += sum[c][b];
+        out[first + b] = total;
+    }
 }
 
 INLINE void add_product(const double *matrix, const double *x, int32_t columns, lanes *out,
                         const int rows)
 {
-    const int whole = rows / GROUP * GROUP;
-    for (int first = 0; first < whole; first += GROUP)
-        add_rows(matrix, x, columns, out, first, GROUP, rows);
+    const int whole = rows / SUMS * SUMS;
+    for (int first = 0; first < whole; first += SUMS)
+        add_rows(matrix, x, columns, out, first, SUMS, rows);
     if (whole < rows)
         add_rows(matrix, x, columns, out, whole, rows - whole, rows);
 }
@@ -84,101 +98,128 @@ INLINE void add_product(const double *matrix, const double *x, int32_t columns, 
 INLINE void store(const lanes *x, double *out, const int count)
 {
     for (int b = 0; b < count; b++)
-        ((lanes *)out)[b] = x[b];
+        *at(out, b) = x[b];
 }
 
 /* Forces of all tables at x; the pieces are fetched first if some x has left its own. */
-INLINE void evaluate_tables(trk_explicit_step *s, const lanes *x, const int pb)
+INLINE void evaluate_tables(trk_explicit *s, const lanes *x, lanes *g, const int pb)
 {
     const trk_explicit_pieces *p = &s->pieces;
+    uint32_t left = 0;
     for (int b = 0; b < pb; b++)
-        if (any(~((x[b] >= *at(p->lower, b)) & (x[b] < *at(p->upper, b))))) {
-            store(x, s->scratch_x, pb);
-            trk_explicit_fetch_pieces(s, s->scratch_x);
-            break;
-        }
+        left |= find_left(x[b], *of(p->lower, b), *of(p->upper, b)) << b * WIDTH;
+    if (__builtin_expect(left != 0, 0)) {
+        store(x, s->scratch_x, pb);
+        trk_explicit_fetch_pieces(s, s->scratch_x, left);
+    }
     for (int b = 0; b < pb; b++) {
-        lanes t = x[b] - *at(p->origin, b);
-        ((lanes *)s->scratch_g)[b] =
-            *at(p->c0, b) + t * (*at(p->c1, b) + t * (*at(p->c2, b) + t * *at(p->c3, b)));
+        lanes t = x[b] - *of(p->origin, b);
+        g[b] = *of(p->c0, b) + t * (*of(p->c1, b) + t * (*of(p->c2, b) + t * *of(p->c3, b)));
     }
 }
 
-/* a = F - kappa q - C v - Z g; when: 0 at mid-step, 1 at its end. */
-INLINE void accelerate(trk_explicit_step *s, const lanes *q, const lanes *v, const lanes *drive,
-                       int when, lanes *a, const int nb, const int pb)
+/* a := F - kappa q - C v - Z g; the forces of the tables are left in g. */
+INLINE void accelerate(trk_explicit *s, const lanes *q, const lanes *v, const lanes *force,
+                       const lanes *shift, lanes *a, lanes *g, const int nb, const int pb)
 {
-    lanes sum[STATES + TABLES], pull[STATES];
-    for (int b = 0; b < nb; b++)
-        sum[b] = pull[b] = zero;
-    for (int b = 0; b < pb; b++)
-        sum[nb + b] = *at(s->shift[when], b);
+    lanes x[TABLES ? TABLES : 1], damping[STATES], pull[STATES];
     store(v, s->scratch_v, nb);
-    add_product(s->from_v, s->scratch_v, s->n, sum, nb + pb);
+    for (int b = 0; b < nb; b++)
+        damping[b] = pull[b] = zero;
     if (pb > 0) {
+        for (int b = 0; b < pb; b++)
+            x[b] = shift[b];
         if (s->springs > 0) {
             store(q, s->scratch_q, nb);
-            add_product(s->from_q, s->scratch_q, s->n, sum + nb, pb);
+            add_product(s->from_q, s->scratch_q, s->n, x, pb);
         }
-        evaluate_tables(s, sum + nb, pb);
-        add_product(s->influence, s->scratch_g, s->tables, pull, nb);
+        add_product(s->from_v, s->scratch_v, s->n, x, pb);
+        evaluate_tables(s, x, g, pb);
+        store(g, s->scratch_g, pb);
     }
+    add_product(s->damping, s->scratch_v, s->n, damping, nb);
+    if (pb > 0)
+        add_product(s->influence, s->scratch_g, s->tables, pull, nb);
     for (int b = 0; b < nb; b++)
-        a[b] = drive[b] - *at(s->kappa, b) * q[b] - sum[b] - pull[b];
+        a[b] = force[b] - *of(s->kappa, b) * q[b] - damping[b] - pull[b];
 }
 
-INLINE bool take_step(trk_explicit_step *s, const trk_explicit_states *st, const int nb,
-                      const int pb)
+/* Modal force and shifts of what acts in step k, at its middle (0) or end (1). */
+INLINE void set_drive(const trk_explicit *s, const trk_explicit_run *run, int64_t k, int when,
+                      lanes *force, lanes *shift, const int nb, const int pb)
+{
+    for (int b = 0; b < nb; b++)
+        force[b] = *of(s->weight, b);
+    for (int b = 0; b < pb; b++)
+        shift[b] = zero;
+    for (int i = 0; i < TRK_EXPLICIT_INPUTS; i++) {
+        const double *input = run->input[when][i] + k * run->stride[i];
+        add_product(s->drive[i], input, s->inputs[i], force, nb);
+        if (pb > 0 && s->is_shifted)
+            add_product(s->shift[i], input, s->inputs[i], shift, pb);
+    }
+}
+
+INLINE int64_t take_steps(trk_explicit *s, const trk_explicit_run *run, const int nb, const int pb)
 {
     const double h = s->h;
-    lanes drive[2][STATES], q[STATES], v[STATES], a[STATES], q_sum[STATES], v_sum[STATES],
-        finite = {0};
-    for (int when = 0; when < 2; when++) {
+    double *row = s->row;
+    const int width = 3 * nb + pb;
+    lanes q[STATES], v[STATES], a[STATES], g[TABLES], force[2][STATES], shift[2][TABLES];
+    int64_t k = 0;
+    for (; k < run->count; k++) {
+        lanes q_sum[STATES], v_sum[STATES];
+        set_drive(s, run, k, 0, force[0], shift[0], nb, pb);
+        set_drive(s, run, k, 1, force[1], shift[1], nb, pb);
+        for (int b = 0; b < nb; b++) {
+            v[b] = q_sum[b] = *of(row, nb + b);
+            a[b] = v_sum[b] = *of(row, 2 * nb + b);
+        }
+        for (int stage = 0; stage < 3; stage++) { /* at h / 2, h / 2, h */
+            const double part = stage < 2 ? h / 2 : h, weight = stage < 2 ? 2 : 1;
+            for (int b = 0; b < nb; b++) {
+                q[b] = *of(row, b) + part * v[b];
+                v[b] = *of(row, nb + b) + part * a[b];
+            }
+            accelerate(s, q, v, force[stage / 2], shift[stage / 2], a, g, nb, pb);
+            for (int b = 0; b < nb; b++) {
+                q_sum[b] += weight * v[b];
+                v_sum[b] += weight * a[b];
+            }
+        }
+        for (int b = 0; b < nb; b++) {
+            q[b] = *of(row, b) + h / 6 * q_sum[b];
+            v[b] = *of(row, nb + b) + h / 6 * v_sum[b];
+        }
+        accelerate(s, q, v, force[1], shift[1], a, g, nb, pb);
+        lanes check = zero;
         for (int b = 0; b < nb; b++)
-            drive[when][b] = *at(s->weight, b);
-        add_product(s->from_drive, s->drive[when], s->columns, drive[when], nb);
+            check += (q[b] + v[b] + a[b]) * 0;
+        if (find_left(check, zero, zero + 1)) /* infinity and NaN times zero are NaN */
+            return k;
+        store(q, row, nb);
+        store(v, row + nb * WIDTH, nb);
+        store(a, row + 2 * nb * WIDTH, nb);
+        store(g, row + 3 * nb * WIDTH, pb);
+        if (run->rows)
+            for (int b = 0; b < width; b++)
+                *at(run->rows, k * width + b) = *of(row, b);
     }
-    for (int b = 0; b < nb; b++) {
-        v[b] = q_sum[b] = *at(st->v, b);
-        a[b] = v_sum[b] = *at(st->a, b);
-    }
-    for (int stage = 0; stage < 3; stage++) { /* at h / 2, h / 2, h */
-        const double part = stage < 2 ? h / 2 : h, weight = stage < 2 ? 2 : 1;
-        for (int b = 0; b < nb; b++) {
-            q[b] = *at(st->q, b) + part * v[b];
-            v[b] = *at(st->v, b) + part * a[b];
-        }
-        accelerate(s, q, v, drive[stage / 2], stage / 2, a, nb, pb);
-        for (int b = 0; b < nb; b++) {
-            q_sum[b] += weight * v[b];
-            v_sum[b] += weight * a[b];
-        }
-    }
-    for (int b = 0; b < nb; b++) {
-        q[b] = *at(st->q, b) + h / 6 * q_sum[b];
-        v[b] = *at(st->v, b) + h / 6 * v_sum[b];
-    }
-    accelerate(s, q, v, drive[1], 1, a, nb, pb);
-    store(q, st->out_q, nb);
-    store(v, st->out_v, nb);
-    store(a, st->out_a, nb);
-    for (int b = 0; b < nb; b++)
-        finite += (q[b] + v[b] + a[b]) * 0;
-    return !any(finite != 0); /* infinity and NaN times zero are NaN */
+    return k;
 }
 
 /* The sizes become constants, so that the sums stay in registers. */
-bool KERNEL(trk_explicit_step *step, const trk_explicit_states *states)
+int64_t KERNEL(trk_explicit *s, const trk_explicit_run *run)
 {
-    switch (10 * step->table_blocks + step->state_blocks) {
-    case 1: return take_step(step, states, 1 * PARTS, 0 * PARTS);
-    case 2: return take_step(step, states, 2 * PARTS, 0 * PARTS);
-    case 4: return take_step(step, states, 4 * PARTS, 0 * PARTS);
-    case 11: return take_step(step, states, 1 * PARTS, 1 * PARTS);
-    case 12: return take_step(step, states, 2 * PARTS, 1 * PARTS);
-    case 14: return take_step(step, states, 4 * PARTS, 1 * PARTS);
-    case 31: return take_step(step, states, 1 * PARTS, 3 * PARTS);
-    case 32: return take_step(step, states, 2 * PARTS, 3 * PARTS);
-    default: return take_step(step, states, 4 * PARTS, 3 * PARTS);
+    switch (10 * s->table_blocks + s->state_blocks) {
+    case 1: return take_steps(s, run, 1 * PARTS, 0 * PARTS);
+    case 2: return take_steps(s, run, 2 * PARTS, 0 * PARTS);
+    case 4: return take_steps(s, run, 4 * PARTS, 0 * PARTS);
+    case 11: return take_steps(s, run, 1 * PARTS, 1 * PARTS);
+    case 12: return take_steps(s, run, 2 * PARTS, 1 * PARTS);
+    case 14: return take_steps(s, run, 4 * PARTS, 1 * PARTS);
+    case 31: return take_steps(s, run, 1 * PARTS, 3 * PARTS);
+    case 32: return take_steps(s, run, 2 * PARTS, 3 * PARTS);
+    default: return take_steps(s, run, 4 * PARTS, 3 * PARTS);
     }
 }

@@ -39,20 +39,16 @@ trk_status trk_rungekutta_take_action(trk_rungekutta *stepper, const double *hei
                             : status;
 }
 
-/* The state of which out_q, out_v and out_a tell, into the one of the steps. */
-static void adopt(trk_rungekutta *stepper)
+/* The state of which out_q, out_v, out_a and end tell, into that of the steps. */
+static void adopt(trk_rungekutta *s)
 {
-    const trk_explicit_step *modal = stepper->modal;
-    struct {
-        const double *from;
-        double *to;
-    } parts[] = {
-        {stepper->out_q, stepper->q}, {stepper->out_v, stepper->v}, {stepper->out_a, stepper->a}};
-    for (int k = 0; k < 3; k++)
-        if (modal)
-            trk_explicit_transform(modal->n, modal->inverse, parts[k].from, parts[k].to);
-        else
-            memcpy(parts[k].to, parts[k].from, (size_t)stepper->model->n * sizeof(double));
+    size_t size = (size_t)s->model->n * sizeof(double);
+    if (s->modal)
+        trk_explicit_set_state(s->modal, s->model, s->out_q, s->out_v, s->out_a, s->end.height,
+                               s->end.velocity);
+    memcpy(s->q, s->out_q, size);
+    memcpy(s->v, s->out_v, size);
+    memcpy(s->a, s->out_a, size);
 }
 
 trk_status trk_rungekutta_set_state(trk_rungekutta *stepper, double time, const double *q,
@@ -100,13 +96,26 @@ double trk_rungekutta_time(const trk_rungekutta *stepper)
     return stepper ? stepper->start + (double)stepper->taken * stepper->step : NAN;
 }
 
-/* One part of the state in the model's coordinates. */
-static const double *look(const trk_rungekutta *stepper, const double *part, double *out)
+/* Parts of the state in the model's coordinates. */
+static const double *look_q(const trk_rungekutta *stepper)
 {
-    if (!stepper->modal)
-        return part;
-    trk_explicit_transform(stepper->modal->n, stepper->modal->phi, part, out);
-    return out;
+    if (stepper->modal)
+        trk_explicit_get_part(stepper->modal, 0, stepper->q);
+    return stepper->q;
+}
+
+static const double *look_v(const trk_rungekutta *stepper)
+{
+    if (stepper->modal)
+        trk_explicit_get_part(stepper->modal, 1, stepper->v);
+    return stepper->v;
+}
+
+static const double *look_a(const trk_rungekutta *stepper)
+{
+    if (stepper->modal)
+        trk_explicit_get_part(stepper->modal, 2, stepper->a);
+    return stepper->a;
 }
 
 void trk_rungekutta_get_state(const trk_rungekutta *stepper, double *out_q, double *out_v,
@@ -116,11 +125,11 @@ void trk_rungekutta_get_state(const trk_rungekutta *stepper, double *out_q, doub
         return;
     size_t size = (size_t)stepper->model->n * sizeof(double);
     if (out_q)
-        memcpy(out_q, look(stepper, stepper->q, stepper->out_q), size);
+        memcpy(out_q, look_q(stepper), size);
     if (out_v)
-        memcpy(out_v, look(stepper, stepper->v, stepper->out_v), size);
+        memcpy(out_v, look_v(stepper), size);
     if (out_a)
-        memcpy(out_a, look(stepper, stepper->a, stepper->out_a), size);
+        memcpy(out_a, look_a(stepper), size);
 }
 
 /* Elongation and rate of a link, given q and v. */
@@ -144,13 +153,21 @@ static double force(const trk_rungekutta *stepper, int32_t link, double e, doubl
     return law->stiffness * e + law->damping * speed + point.force;
 }
 
+double trk_rungekutta_curve_force(const trk_rungekutta *stepper, int32_t link)
+{
+    trk_law_point point;
+    trk_law_evaluate(&stepper->model->laws[link], elongation(stepper, stepper->q, link),
+                     rate(stepper, stepper->v, link), &stepper->hints[link], &point);
+    return point.force;
+}
+
 void trk_rungekutta_get_links(const trk_rungekutta *stepper, double *out_elongation,
                               double *out_rate, double *out_force)
 {
     if (!stepper)
         return;
-    const double *q = look(stepper, stepper->q, stepper->out_q);
-    const double *v = look(stepper, stepper->v, stepper->out_v);
+    const double *q = look_q(stepper);
+    const double *v = look_v(stepper);
     for (int32_t k = 0; k < stepper->model->links.count; k++) {
         double e = elongation(stepper, q, k), speed = rate(stepper, v, k);
         if (out_elongation)
@@ -167,9 +184,9 @@ void trk_rungekutta_read_sensors(const trk_rungekutta *stepper, double *out_valu
     if (!stepper || !out_values)
         return;
     const trk_model *model = stepper->model;
-    const double *q = look(stepper, stepper->q, stepper->out_q);
-    const double *v = look(stepper, stepper->v, stepper->out_v);
-    const double *a = look(stepper, stepper->a, stepper->out_a);
+    const double *q = look_q(stepper);
+    const double *v = look_v(stepper);
+    const double *a = look_a(stepper);
     for (int32_t k = 0; k < model->sensors.count; k++) {
         int32_t link = model->sensor_link[k];
         switch (model->sensor_quantity[k]) {

@@ -69,22 +69,6 @@ static trk_status step_general(trk_rungekutta *s)
     return status == TRK_OK && sum != 0 ? TRK_E_RANGE : status;
 }
 
-/* In modal coordinates. */
-static trk_status step_modal(trk_rungekutta *s)
-{
-    trk_explicit_set_drive(s->modal, s->model, 0, s->middle.height, s->middle.velocity,
-                           s->middle.load);
-    trk_explicit_set_drive(s->modal, s->model, 1, s->end.height, s->end.velocity, s->end.load);
-    trk_explicit_states states = {s->q, s->v, s->a, s->next_q, s->next_v, s->next_a};
-    if (s->kernel(s->modal, &states))
-        return TRK_OK;
-    size_t size = (size_t)s->modal->state_blocks * TRK_EXPLICIT_LANES * sizeof(double);
-    memset(s->next_q, 0, size); /* what overflowed must not stay in the padding */
-    memset(s->next_v, 0, size);
-    memset(s->next_a, 0, size);
-    return TRK_E_RANGE;
-}
-
 static void swap(double **a, double **b)
 {
     double *kept = *a;
@@ -103,23 +87,88 @@ static void commit(trk_rungekutta *s)
     s->taken++;
 }
 
+/* Row k of an input at the middle (0) or end (1) of a step; NULL if it is missing. */
+static const double *find_row(const trk_explicit_run *run, int when, int input, int64_t k)
+{
+    const double *first = run->input[when][input];
+    return first ? first + k * run->stride[input] : NULL;
+}
+
+/* Step k in the model's coordinates; of a modal stepper only why it cannot be taken. */
+static trk_status take_step(trk_rungekutta *s, const trk_explicit_run *run, int64_t k)
+{
+    trk_action *actions[] = {&s->middle, &s->end};
+    trk_status status = TRK_OK;
+    for (int when = 0; when < 2 && status == TRK_OK; when++)
+        status = trk_rungekutta_take_action(s, find_row(run, when, 0, k), find_row(run, when, 1, k),
+                                            find_row(run, when, 2, k), actions[when]);
+    if (status != TRK_OK)
+        return status;
+    status = s->modal ? TRK_E_RANGE : step_general(s);
+    if (status == TRK_E_RANGE)
+        return trk_fail(s->context, status,
+                        "%s: the motion left the range of numbers in the step after t = %.9g s",
+                        trk_model_name(s->model), trk_rungekutta_time(s));
+    if (status == TRK_OK)
+        commit(s);
+    return status;
+}
+
+/* As many steps as the motion stays finite. */
+static int64_t run_modal(trk_rungekutta *s, const trk_explicit_run *run)
+{
+    trk_explicit_run whole = *run;
+    for (int input = 0; input < TRK_EXPLICIT_INPUTS; input++)
+        for (int when = 0; when < 2; when++)
+            if (!whole.input[when][input]) {
+                whole.input[when][input] = s->modal->zeros;
+                whole.stride[input] = 0;
+            }
+    int64_t taken = s->kernel(s->modal, &whole);
+    if (taken > 0)
+        for (int32_t r = 0; r < s->modal->inputs[0]; r++) {
+            s->now.height[r] = find_row(&whole, 1, 0, taken - 1)[r];
+            s->now.velocity[r] = find_row(&whole, 1, 1, taken - 1)[r];
+        }
+    s->taken += taken;
+    return taken;
+}
+
+static trk_status take_steps(trk_rungekutta *s, const trk_explicit_run *run, int64_t *out_taken)
+{
+    *out_taken = s->modal ? run_modal(s, run) : 0;
+    for (; *out_taken < run->count; ++*out_taken) {
+        trk_status status = take_step(s, run, *out_taken);
+        if (status != TRK_OK)
+            return status;
+        if (run->rows)
+            trk_rungekutta_get_row(s, run->rows + *out_taken * trk_rungekutta_row_width(s));
+    }
+    return TRK_OK;
+}
+
+trk_status trk_rungekutta_record(trk_rungekutta *stepper, int64_t count, const double *height,
+                                 const double *velocity, const double *load, double *out_rows,
+                                 int64_t *out_taken)
+{
+    int32_t roads = stepper->model->names[TRK_PART_ROAD].count, ports = stepper->model->ports.count;
+    const trk_explicit_run run = {
+        count,
+        {{height, velocity, load},
+         {height ? height + roads : NULL, velocity ? velocity + roads : NULL,
+          load ? load + ports : NULL}},
+        {2 * (int64_t)roads, 2 * (int64_t)roads, 2 * (int64_t)ports},
+        out_rows};
+    return take_steps(stepper, &run, out_taken);
+}
+
 trk_status trk_rungekutta_step(trk_rungekutta *stepper, const double *middle_height,
                                const double *middle_velocity, const double *middle_load,
                                const double *height, const double *velocity, const double *load)
 {
     TRK_REQUIRE(NULL, stepper, "trk_rungekutta_step");
-    trk_status status = trk_rungekutta_take_action(stepper, middle_height, middle_velocity,
-                                                   middle_load, &stepper->middle);
-    if (status == TRK_OK)
-        status = trk_rungekutta_take_action(stepper, height, velocity, load, &stepper->end);
-    if (status != TRK_OK)
-        return status;
-    status = stepper->modal ? step_modal(stepper) : step_general(stepper);
-    if (status == TRK_E_RANGE)
-        return trk_fail(stepper->context, status,
-                        "%s: the motion left the range of numbers in the step after t = %.9g s",
-                        trk_model_name(stepper->model), trk_rungekutta_time(stepper));
-    if (status == TRK_OK)
-        commit(stepper);
-    return status;
+    const trk_explicit_run run = {
+        1, {{middle_height, middle_velocity, middle_load}, {height, velocity, load}}, {0}, NULL};
+    int64_t taken;
+    return take_steps(stepper, &run, &taken);
 }

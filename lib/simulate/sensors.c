@@ -35,7 +35,8 @@ trk_status trk_sensors_create(trk_context *context, int32_t sensors, int64_t wid
     trk_sensors *s = trk_new(context, 1, sizeof *s);
     if (!s)
         return TRK_E_MEMORY;
-    *s = (trk_sensors){.context = context, .sensors = sensors, .roads = roads, .width = width};
+    *s = (trk_sensors){
+        .context = context, .sensors = sensors, .roads = roads, .width = width, .road_rows = 1};
     s->sums = trk_new(context, sensors, sizeof *s->sums);
     s->coefficients = trk_new(context, sensors * columns, sizeof *s->coefficients);
     s->columns = trk_new(context, sensors * columns, sizeof *s->columns);
@@ -102,10 +103,11 @@ void trk_sensors_read(trk_sensors *sensors, int64_t count, int64_t every, const 
 {
     trk_sensor_kernel kernel = choose_kernel();
     int64_t width = sensors->width, roads = sensors->roads;
+    int64_t road_stride = every * sensors->road_rows * roads;
     double *on_road = sensors->block + width * TRK_SENSORS_STRIDE;
     transpose_pairs(rows, every * width, width, count, sensors->block);
-    transpose(height, every * roads, roads, count, on_road);
-    transpose(velocity, every * roads, roads, count, on_road + roads * TRK_SENSORS_STRIDE);
+    transpose(height, road_stride, roads, count, on_road);
+    transpose(velocity, road_stride, roads, count, on_road + roads * TRK_SENSORS_STRIDE);
     for (int32_t k = 0; k < sensors->sensors; k++)
         kernel(&sensors->sums[k], sensors->block, count, sensors->stream, channel[k] + at);
 }

@@ -27,6 +27,7 @@ typedef struct trk_sensors {
     trk_context *context;
     int32_t sensors, roads;
     int64_t width;        /* of a row                                             */
+    int64_t road_rows;    /* of height and velocity a step, default 1             */
     bool stream;          /* the channels are longer than the caches, default no  */
     trk_sensor_sum *sums; /* sensors                                              */
     double *coefficients; /* of all sums                                          */
@@ -44,7 +45,7 @@ void trk_sensors_destroy(trk_sensors *sensors);
 
 /*
  * Samples at .. at + count - 1 of each channel from the rows 0, every, 2 every ... and height and
- * velocity of the same steps; rows of width, the others of roads numbers.
+ * velocity of the same steps; rows of width, the others of roads numbers, road_rows of them a step.
  * count <= TRK_SENSORS_BLOCK.
  */
 void trk_sensors_read(trk_sensors *sensors, int64_t count, int64_t every, const double *rows,

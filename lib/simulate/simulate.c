@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Excitation in blocks, steps, sensors into channels. */
-#include "newmark/newmark.h"
 #include "simulate/sensors.h"
 #include "simulate/stepper.h"
 
@@ -36,7 +35,7 @@ typedef struct run {
     double **channel;     /* samples of each sensor           */
     double *values;       /* of all sensors now               */
     trk_drive drive;      /* of BLOCK steps                   */
-    trk_sensors *sensors; /* of a small Newmark stepper, else NULL */
+    trk_sensors *sensors; /* of a small model, else NULL       */
     double *rows;         /* BLOCK steps, for them            */
     trk_progress progress;
     void *user;
@@ -107,9 +106,8 @@ static trk_status create_series(run *r)
 static trk_status create_sensors(run *r)
 {
     int64_t sensors = trk_model_count(r->model, TRK_PART_SENSOR);
-    const trk_newmark *newmark = r->stepper.newmark;
-    int64_t width = newmark ? trk_newmark_row_width(newmark) : 0;
-    if (!newmark || width > WIDEST_ROW)
+    int64_t width = trk_stepper_row_width(&r->stepper);
+    if (width > WIDEST_ROW)
         return TRK_OK;
     r->rows = trk_new(r->context, BLOCK * width, sizeof *r->rows);
     double *on_row = trk_new(r->context, sensors * width, sizeof *on_row);
@@ -117,11 +115,13 @@ static trk_status create_sensors(run *r)
     trk_status status = TRK_E_MEMORY;
     if (r->rows && on_row && on_road) {
         double *on_velocity = on_road + sensors * r->drive.roads;
-        trk_newmark_get_sensor_rows(newmark, on_row, on_road, on_velocity);
+        trk_stepper_get_sensor_rows(&r->stepper, on_row, on_road, on_velocity);
         status = trk_sensors_create(r->context, (int32_t)sensors, width, (int32_t)r->drive.roads,
                                     on_row, on_road, on_velocity, &r->sensors);
-        if (status == TRK_OK)
+        if (status == TRK_OK) {
+            r->sensors->road_rows = trk_stepper_drive_rows(&r->stepper);
             r->sensors->stream = sensors > LONG_SERIES / (r->steps / r->options.record_every + 1);
+        }
     }
     trk_free(r->context, on_row);
     trk_free(r->context, on_road);
@@ -166,14 +166,14 @@ static trk_status take_steps(run *r, int64_t first, int64_t count)
 static trk_status take_block(run *r, int64_t first, int64_t count)
 {
     const trk_drive *d = &r->drive;
-    int64_t every = r->options.record_every, taken;
+    int64_t every = r->options.record_every;
     int64_t skip = every - 1 - first % every; /* steps before the first that is recorded */
-    trk_status status = trk_newmark_record(r->stepper.newmark, count, d->height, d->velocity,
-                                           d->load, skip < count ? r->rows : NULL, &taken);
+    int64_t end = ((skip + 1) * trk_stepper_drive_rows(&r->stepper) - 1) * d->roads;
+    trk_status status = trk_stepper_record(&r->stepper, d, count, skip < count ? r->rows : NULL);
     if (status == TRK_OK && skip < count)
         trk_sensors_read(r->sensors, (count - skip - 1) / every + 1, every,
-                         r->rows + skip * r->sensors->width, d->height + skip * d->roads,
-                         d->velocity + skip * d->roads, r->channel, first / every + 1);
+                         r->rows + skip * r->sensors->width, d->height + end, d->velocity + end,
+                         r->channel, first / every + 1);
     return status;
 }
 

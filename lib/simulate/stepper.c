@@ -2,6 +2,9 @@
 /* One face for both steppers. */
 #include "simulate/stepper.h"
 
+#include "newmark/newmark.h"
+#include "rungekutta/rungekutta.h"
+
 static trk_status create_rungekutta(trk_context *context, const trk_model *model,
                                     const trk_newmark_options *newmark, trk_rungekutta **out)
 {
@@ -94,6 +97,37 @@ trk_status trk_stepper_start(trk_stepper *stepper, trk_drive *drive, double star
                                                     drive->velocity, drive->load)
                             : trk_rungekutta_set_state(stepper->rungekutta, start, q, v,
                                                        drive->height, drive->velocity, drive->load);
+}
+
+int64_t trk_stepper_row_width(const trk_stepper *stepper)
+{
+    return stepper->newmark ? trk_newmark_row_width(stepper->newmark)
+                            : trk_rungekutta_row_width(stepper->rungekutta);
+}
+
+void trk_stepper_get_sensor_rows(const trk_stepper *stepper, double *out_on_row,
+                                 double *out_on_height, double *out_on_velocity)
+{
+    if (stepper->newmark)
+        trk_newmark_get_sensor_rows(stepper->newmark, out_on_row, out_on_height, out_on_velocity);
+    else
+        trk_rungekutta_get_sensor_rows(stepper->rungekutta, out_on_row, out_on_height,
+                                       out_on_velocity);
+}
+
+int64_t trk_stepper_drive_rows(const trk_stepper *stepper)
+{
+    return stepper->newmark ? 1 : 2;
+}
+
+trk_status trk_stepper_record(trk_stepper *stepper, const trk_drive *drive, int64_t count,
+                              double *out_rows)
+{
+    int64_t taken;
+    return stepper->newmark ? trk_newmark_record(stepper->newmark, count, drive->height,
+                                                 drive->velocity, drive->load, out_rows, &taken)
+                            : trk_rungekutta_record(stepper->rungekutta, count, drive->height,
+                                                    drive->velocity, drive->load, out_rows, &taken);
 }
 
 trk_status trk_stepper_step(trk_stepper *stepper, const trk_drive *drive, int64_t k)

@@ -42,6 +42,20 @@ void trk_drive_evaluate(trk_drive *drive, const trk_stepper *stepper, int64_t co
 trk_status trk_stepper_start(trk_stepper *stepper, trk_drive *drive, double start, const double *q,
                              const double *v);
 
+/* Numbers of a row that trk_stepper_record() writes. */
+int64_t trk_stepper_row_width(const trk_stepper *stepper);
+
+/* Sensors as matrices on a row and on the road at the end of a step (newmark.h). */
+void trk_stepper_get_sensor_rows(const trk_stepper *stepper, double *out_on_row,
+                                 double *out_on_height, double *out_on_velocity);
+
+/* Rows of road and loads that one step takes from a drive; the last is its end. */
+int64_t trk_stepper_drive_rows(const trk_stepper *stepper);
+
+/* The steps of a block at once; rows NULL: nothing is recorded. */
+trk_status trk_stepper_record(trk_stepper *stepper, const trk_drive *drive, int64_t count,
+                              double *out_rows);
+
 /* Take step k of the block, 0-based. */
 trk_status trk_stepper_step(trk_stepper *stepper, const trk_drive *drive, int64_t k);
 

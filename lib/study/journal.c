@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* A file on its way into a study. */
@@ -30,7 +31,8 @@ static trk_status fail_file(const trk_study *study, const char *path, const char
 
 /*
  * Next line without its line feed. false at the end. *out_whole: it ended with a line
- * feed, has no 0 in it and fits; what does not is skipped.
+ * feed, has no 0 in it and fits; what does not is skipped, but in the first line that is
+ * the end: /dev/zero has no other.
  */
 static bool next_line(reader *r, bool *out_whole, int64_t *out_length)
 {
@@ -42,6 +44,8 @@ static bool next_line(reader *r, bool *out_whole, int64_t *out_length)
             r->line[length] = (char)c;
         clean = clean && c != 0;
         length++;
+        if (r->number == 0 && length >= r->room)
+            break;
     }
     const bool fits = length < r->room;
     r->line[fits ? length : 0] = 0;
@@ -221,6 +225,11 @@ static trk_status open_file(trk_study *study, const char *path, FILE **out_file)
     const int descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0)
         return fail_file(study, path, "opened", errno);
+    struct stat about;
+    if (fstat(descriptor, &about) != 0 || !S_ISREG(about.st_mode)) {
+        close(descriptor);
+        return trk_fail(study->context, TRK_E_FILE, "%s: a journal must be a regular file", path);
+    }
     /* Some network file systems know no locks; they give other errors. */
     struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     if (fcntl(descriptor, F_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES)) {

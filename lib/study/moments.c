@@ -39,7 +39,6 @@ static void join_block(trk_moments *m)
     for (int32_t i = 0; i < n; i++) {
         const double x = m->block[i], d = (x - m->offset) - mean;
         square[i % PARTS] += d * d;
-        /* A NaN must not be lost in a comparison. */
         m->minimum = x >= m->minimum ? m->minimum : x;
         m->maximum = x <= m->maximum ? m->maximum : x;
     }
@@ -69,4 +68,6 @@ void trk_moments_finish(trk_moments *moments)
     if (moments->held > 0)
         join_block(moments);
     moments->mean += moments->offset;
+    if (isnan(moments->mean)) /* comparisons lose a NaN, sums do not */
+        moments->minimum = moments->maximum = moments->mean;
 }

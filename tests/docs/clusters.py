@@ -64,6 +64,19 @@ def usage(program):
     for words in (["@missing.txt"], [], ["--output", "x=rms:nowhere"], ["@study.txt", "--csv", "no/such/folder"],
                   ["merge", "@study.txt", "missing.journal"], ["@study.txt", "--seed", "2", "--journal", "task-1.journal"]):
         assert run([program, *words], expected=1).stderr, words
+    table, journal = pathlib.Path("serial.csv"), pathlib.Path("task-1.journal")
+    before = table.read_bytes(), journal.read_bytes()
+    for words in (["--csv", str(journal), "--journal", str(journal)], ["--csv", "--quiet"], ["--journal", "--vary"]):
+        run([program, "@study.txt", *words], expected=2)
+    run([program, "merge", "@study.txt", str(journal), "--csv", f"./{journal}"], expected=2)
+    run([program, "@study.txt", "--seed", "2", "--journal", str(journal), "--csv", str(table)], expected=1)
+    assert before == (table.read_bytes(), journal.read_bytes())  # refused: nothing is overwritten
+    wrong = run([program, "--shard", "3/2"], expected=2).stderr
+    assert wrong.startswith("truckride-study: --shard expects I/N"), wrong
+    run(["bash", "-c", f"ulimit -v 4000000; exec '{program}' @study.txt --duration 0.1 --cases 1000000000000"],
+        expected=1)  # no memory, and it says so at once
+    pathlib.Path("nul.txt").write_bytes(b"--cases 5\0--seed 3\n")
+    run([program, "@nul.txt"], expected=1)
     missing = run([program, "merge", "@study.txt", "task-1.journal", "--csv", "part.csv"], expected=1)
     assert "do not hold all cases" in missing.stderr
 

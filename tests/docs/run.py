@@ -30,6 +30,7 @@ class Place:
         pkgconfig = next(prefix.rglob("pkgconfig"))
         self.environment.update(
             CC=cc, HOME=str(top), CMAKE_PREFIX_PATH=str(prefix), PKG_CONFIG_PATH=str(pkgconfig),
+            PATH=os.pathsep.join([str(prefix / "bin"), os.environ["PATH"]]),
             LD_LIBRARY_PATH=str(pkgconfig.parent), PYTHONPATH=str(root / "bindings" / "python"),
             PYTHONDONTWRITEBYTECODE="1", TRUCKRIDE_REUSE=str(build),
             CMAKE_C_COMPILER_LAUNCHER=str(root / "tests" / "consumer" / "reuse.sh"))

@@ -170,6 +170,20 @@ def test_batch_is_single_runs(excitation):
         tr.run_batch(models, excitation, 0.1, sink=lambda *block: 1 / 0)
 
 
+def test_batch_records_what_is_asked_for(model, excitation):
+    whole = tr.run_batch([model], excitation, 0.1)
+    part = tr.run_batch([model], excitation, 0.1, sensors=["cab_rear_z", 1])
+    assert part.sensors == ["cab_rear_z", whole.sensors[0]] and part.values.shape == (1, 2, 101)
+    assert part.units == ["m/s^2", whole.units[0]]
+    assert np.array_equal(part["cab_rear_z"], whole["cab_rear_z"])
+    assert np.array_equal(part.values[:, 1], whole.values[:, 0])
+    with pytest.raises(tr.UnknownNameError, match="no sensor 'seat'"):
+        tr.run_batch([model], excitation, 0.1, sensors=["seat"])
+    for wrong in [], [0], [99]:
+        with pytest.raises(tr.ArgumentError):
+            tr.run_batch([model], excitation, 0.1, sensors=wrong)
+
+
 def test_study(spec, model, excitation, tmp_path):
     def build():
         study = tr.Study(spec, points=6, duration=1.0)

@@ -316,6 +316,8 @@ static void test_accuracy(void **state)
 
 static void test_rungekutta_step(void **state)
 {
+    if (!trk_has_feature(TRK_FEATURE_LAPACK))
+        skip();
     trk_signal *road = thesis_step(*state);
     for_all(*state, road, judge_rungekutta);
     trk_signal_destroy(road);
@@ -323,6 +325,8 @@ static void test_rungekutta_step(void **state)
 
 static void test_rungekutta_sine(void **state)
 {
+    if (!trk_has_feature(TRK_FEATURE_LAPACK))
+        skip();
     trk_signal *road;
     assert_ok(*state, trk_signal_create_sine(*state, 0.01, 1, 0, 0, &road));
     for_all(*state, road, judge_rungekutta);

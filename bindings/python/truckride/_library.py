@@ -5,11 +5,12 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 import importlib.resources
+import operator
 import os
-from typing import Any, cast
+from typing import Any, Callable, cast
 
 from . import _abi
-from .errors import LibraryError
+from .errors import ArgumentError, LibraryError
 
 SONAME = "libtruckride.so.0"
 VARIABLE = "TRUCKRIDE_LIBRARY"
@@ -45,8 +46,42 @@ def load() -> tuple[str, ctypes.CDLL]:
                        f"Install it, or set {VARIABLE} to the path of {SONAME}.")
 
 
+class Int32:
+    """Argument type: ctypes.c_int32 would take a number modulo 2^32."""
+
+    kind: Any = ctypes.c_int32
+    bits = 32
+
+    @classmethod
+    def from_param(cls, value: Any) -> Any:
+        number = operator.index(value)
+        if not -(1 << (cls.bits - 1)) <= number < 1 << (cls.bits - 1):
+            raise ValueError(f"{number} is no integer of {cls.bits} bits")
+        return cls.kind(number)
+
+
+class Int64(Int32):
+    kind = ctypes.c_int64
+    bits = 64
+
+
+CHECKED: dict[Any, Any] = {ctypes.c_int32: Int32, ctypes.c_int64: Int64}
+
+
+def explained(name: str, function: Any) -> Callable[..., Any]:
+    """The function with an exception of this package for a number that is none."""
+    def call(*arguments: Any) -> Any:
+        try:
+            return function(*arguments)
+        except ctypes.ArgumentError as error:
+            raise ArgumentError(f"{name}, {error}") from None
+    call.__name__ = name
+    return call
+
+
 def declare(library: Any) -> None:
-    """Set argument and result types; every function must be there."""
+    """Set argument and result types; every function must be there. Those without numbers, the
+    step among them, are called directly."""
     missing = []
     for name, (result, arguments) in _abi.SIGNATURES.items():
         try:
@@ -54,7 +89,10 @@ def declare(library: Any) -> None:
         except AttributeError:
             missing.append(name)
             continue
-        function.restype, function.argtypes = result, arguments
+        function.restype = result
+        function.argtypes = [CHECKED.get(kind, kind) for kind in arguments]
+        if any(kind in CHECKED or kind is ctypes.c_double for kind in arguments):
+            setattr(library, name, explained(name, function))
     if missing:
         raise LibraryError(f"{library._name} lacks {', '.join(missing)}: it is older than this "
                            f"package ({version_text(_abi.VERSION)})")

@@ -9,16 +9,18 @@ from __future__ import annotations
 
 import ctypes
 import logging
+import operator
+import os
 import threading
 import weakref
-from typing import Any, Callable, Optional, TypeVar
+from typing import Any, Callable, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _abi
 from ._library import lib, quick
-from .errors import ArgumentError, BusyError, ClosedError, error_of
+from .errors import ArgumentError, BusyError, ClosedError, UnknownNameError, error_of
 
 Array = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -126,6 +128,13 @@ class Native:
     _handle: Optional[Handle] = None
     _busy = False
 
+    @classmethod
+    def _expect(cls: type[Self], value: Any) -> Self:
+        """The value if it is of this class: to the library one address is like another."""
+        if not isinstance(value, cls):
+            raise TypeError(f"an object of the class {cls.__name__} is expected, not {value!r}")
+        return value
+
     def close(self) -> None:
         """Let go of the native object; it is freed when nothing else needs it any more.
 
@@ -143,6 +152,9 @@ class Native:
     def memory_blocks(self) -> int:
         """Blocks of native memory that it holds."""
         return quick.trk_context_blocks(self._live().context)
+
+    def __reduce__(self) -> Union[str, tuple[Any, ...]]:
+        raise TypeError(f"a {type(self).__name__} can be neither copied nor pickled")
 
     def __enter__(self: Self) -> Self:
         self._live()
@@ -186,6 +198,8 @@ class Exclusive:
 
 def vector(values: Any, name: str, length: Optional[int] = None) -> Array:
     """One-dimensional contiguous doubles; a view where values are that already."""
+    if np.iscomplexobj(values):
+        raise ArgumentError(f"{name}: real values are expected, not complex ones")
     array = np.ascontiguousarray(values, dtype=np.float64)
     if array.ndim != 1:
         raise ArgumentError(f"{name}: one dimension is expected, not the shape {array.shape}")
@@ -208,6 +222,29 @@ def borrow(pointer: Optional[int], length: int, owner: Handle, writable: bool = 
     array: Array = np.frombuffer(memoryview(memory), dtype=np.float64)
     array.flags.writeable = writable
     return array
+
+
+def whole(value: Any, name: str, bits: int = 64) -> int:
+    """An integer that fits; ctypes would take it modulo 2^bits."""
+    number = operator.index(value)
+    if not -(1 << (bits - 1)) <= number < 1 << (bits - 1):
+        raise ArgumentError(f"{name}: {number} is no integer of {bits} bits")
+    return number
+
+
+def position(names: Sequence[str], name: str, what: str) -> int:
+    """Place of a name among others, from 0."""
+    if name not in names:
+        raise UnknownNameError(f"there is no {what} {name!r}; there are "
+                               f"{', '.join(names) or 'none'}")
+    return names.index(name)
+
+
+def encode_path(path: Union[str, os.PathLike[str]]) -> bytes:
+    encoded = os.fsencode(path)
+    if b"\0" in encoded:
+        raise ArgumentError(f"{path!r}: a path cannot contain a NUL character")
+    return encoded
 
 
 def encode(name: str) -> bytes:

@@ -7,7 +7,7 @@ import dataclasses
 import enum
 from typing import Any, ClassVar, TypeVar, Union
 
-from ._native import encode, text
+from ._native import encode, text, whole
 from .errors import ArgumentError
 
 F = TypeVar("F", bound="Fields")
@@ -28,6 +28,9 @@ def member(kind: type[E], value: Union[E, str, int]) -> E:
         raise ArgumentError(f"{kind.__name__}: there is no {value!r}") from None
 
 
+BITS = {ctypes.c_int32: 32, ctypes.c_int64: 64}
+
+
 def _fill(struct: Any, name: str, value: Any, keep: list[Any]) -> None:
     """Set one field; what it points to is appended to keep."""
     kind = dict(struct._fields_)[name]
@@ -35,15 +38,20 @@ def _fill(struct: Any, name: str, value: Any, keep: list[Any]) -> None:
         items = list(value)
         if len(items) != kind._length_:
             raise ArgumentError(f"{name}: {kind._length_} values are expected, not {len(items)}")
-        getattr(struct, name)[:] = [_plain(item, keep) for item in items]
+        getattr(struct, name)[:] = [_plain(item, name, kind._type_, keep) for item in items]
     else:
-        setattr(struct, name, _plain(value, keep))
+        setattr(struct, name, _plain(value, name, kind, keep))
 
 
-def _plain(value: Any, keep: list[Any]) -> Any:
-    if hasattr(value, "_live"):
-        keep.append(value._live())
+def _plain(value: Any, name: str, kind: Any, keep: list[Any]) -> Any:
+    if kind is ctypes.c_void_p:  # in these structs always a curve
+        from .curve import Curve
+        if value is None:
+            return None
+        keep.append(Curve._expect(value)._live())
         return keep[-1]._as_parameter_.value
+    if kind in BITS:
+        return whole(value, name, BITS[kind])
     return encode(value) if isinstance(value, str) else value
 
 

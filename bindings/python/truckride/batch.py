@@ -12,7 +12,7 @@ import numpy as np
 from . import _abi
 from ._abi import Part, Status
 from ._library import lib, quick
-from ._native import Array, check, new_context
+from ._native import Array, check, new_context, position, whole
 from ._options import NewmarkOptions
 from ._progress import Progress, Watch
 from ._struct import options
@@ -20,6 +20,7 @@ from .errors import ArgumentError
 from .excitation import Excitation, as_excitation
 from .model import Model
 from .signal import Signal
+from .spec import Reference
 
 # variant, number of the first sample, samples of the block (sensors x count); true ends the variant
 Sink = Callable[[int, int, Array], Any]
@@ -31,7 +32,7 @@ class Batch:
 
     values: variants x sensors x samples [unit of the sensor]; NaN where a variant failed; empty
         with a sink
-    sensors, units: of the second dimension
+    sensors, units: of the second dimension, those recorded
     rate: sample rate [Hz]
     status: of each variant
     """
@@ -45,7 +46,7 @@ class Batch:
 
     def __getitem__(self, sensor: str) -> Array:
         """variants x samples of one sensor, a view."""
-        values: Array = self.values[:, self.sensors.index(sensor), :]
+        values: Array = self.values[:, position(self.sensors, sensor, "sensor"), :]
         return values
 
     @property
@@ -83,11 +84,11 @@ class _Sink:
 
 
 def run_batch(models: Sequence[Model],
-              excitations: Union[Excitation, Signal, Sequence[Excitation]],
+              excitations: Union[Excitation, Signal, Sequence[Union[Excitation, Signal]]],
               duration: float = 10.0, *, start: float = 0.0, record_every: int = 1,
-              threads: Optional[int] = None, newmark: Optional[NewmarkOptions] = None,
-              sink: Optional[Sink] = None, must_succeed: bool = True,
-              progress: Progress = None, **changes: Any) -> Batch:
+              sensors: Optional[Sequence[Reference]] = None, threads: Optional[int] = None,
+              newmark: Optional[NewmarkOptions] = None, sink: Optional[Sink] = None,
+              must_succeed: bool = True, progress: Progress = None, **changes: Any) -> Batch:
     """Run variants of one model, several side by side in each of a few threads.
 
     Args:
@@ -95,12 +96,14 @@ def run_batch(models: Sequence[Model],
         excitations: one for all, or one each
         duration, start: [s]
         record_every: record each such step
+        sensors: those to record, by name or id, in this order; default all
         threads: default one a processor
         newmark: options of the stepper; its fields can be keywords too: step [s], ...
         sink: receives blocks of samples instead of an array of all; called from several threads
         must_succeed: raise the error of the first variant that fails; else see Batch.status
         progress: as in simulate()
     """
+    models = [Model._expect(model) for model in models]
     count = len(models)
     if not count:
         raise ArgumentError("models: at least one is expected")
@@ -108,18 +111,25 @@ def run_batch(models: Sequence[Model],
         excitations = [as_excitation(models[0], excitations)] * count
     if len(excitations) != count:
         raise ArgumentError(f"excitations: {count} are expected, not {len(excitations)}")
+    roads = [as_excitation(model, given) for model, given in zip(models, excitations)]
     given = _abi.trk_batch_options()
     quick.trk_batch_options_init(ctypes.byref(given), ctypes.sizeof(given))
-    given.duration, given.start, given.record_every = duration, start, record_every
-    given.threads = threads or os.cpu_count() or 1
+    given.duration, given.start = duration, start
+    given.record_every = whole(record_every, "record_every")
+    given.threads = os.cpu_count() or 1 if threads is None else whole(threads, "threads", 32)
     settings = options(NewmarkOptions, newmark, changes)
     step = settings._to_struct()
     samples = quick.trk_batch_samples(ctypes.byref(step), ctypes.byref(given))
-    sensors = models[0].sensors
-    kept = np.full((count, len(sensors), 0 if sink else samples), np.nan)
-    receiver = _Sink(len(sensors), kept, sink)
+    if sensors is None:
+        sensors = range(1, models[0].count(Part.SENSOR) + 1)
+    elif not sensors:
+        raise ArgumentError("sensors: at least one is expected")
+    chosen = np.array([models[0].find(Part.SENSOR, sensor) for sensor in sensors], dtype=np.int32)
+    given.sensor_count, given.sensors = len(chosen), chosen.ctypes.data
+    kept = np.full((count, len(chosen), 0 if sink else samples), np.nan)
+    receiver = _Sink(len(chosen), kept, sink)
     model_array, model_handles = _pointers(models)
-    road_array, road_handles = _pointers(excitations)
+    road_array, road_handles = _pointers(roads)
     status = (ctypes.c_int32 * count)()
     context = new_context()  # not the thread's: a sink may use that
     try:
@@ -134,9 +144,11 @@ def run_batch(models: Sequence[Model],
     finally:
         quick.trk_context_destroy(context)
     del model_handles, road_handles
-    units = [models[0].unit(Part.SENSOR, k) for k in range(1, len(sensors) + 1)]
+    known = models[0].sensors
+    names = [known[number - 1] for number in chosen.tolist()]
+    units = [models[0].unit(Part.SENSOR, number) for number in chosen.tolist()]
     for variant, code in enumerate(status):
         if code and not sink:
             kept[variant] = np.nan
-    return Batch(kept, sensors, units, 1 / (settings.step * record_every), start,
+    return Batch(kept, names, units, 1 / (settings.step * record_every), start,
                  [Status(code) for code in status])

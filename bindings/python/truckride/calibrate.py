@@ -85,7 +85,7 @@ class Calibration(Native):
 
     def __init__(self, spec: Spec, gravity: float = 0.0, allow_free: bool = False) -> None:
         struct = ModelOptions(gravity, int(allow_free))._to_struct()
-        with Exclusive(spec) as handle:
+        with Exclusive(Spec._expect(spec)) as handle:
             self._handle = create(quick.trk_calibration_destroy, lib.trk_calibration_create,
                                   handle, ctypes.byref(struct))
         self._parameters: list[str] = []
@@ -205,7 +205,7 @@ class Calibration(Native):
                 **changes: Any) -> None:
         """The run that peaks and PSD curves are taken from; fields of RunOptions: duration,
         step [s], segment_length, overlap."""
-        struct, native = options(RunOptions, settings, changes)._to_struct(), excitation._live()
+        struct, native = options(RunOptions, settings, changes)._to_struct(), Excitation._expect(excitation)._live()
         self._call(lib.trk_calibration_set_run, native, ctypes.byref(struct))
         self._run = native  # borrowed by the library
         self._live().keep += (native,)

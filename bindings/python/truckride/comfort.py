@@ -232,7 +232,7 @@ def seat_factor(seat: npt.ArrayLike, floor: npt.ArrayLike, rate: float,
 
 def axle_load(forces: Sequence[npt.ArrayLike], static_load: float = 0.0) -> Array:
     """Load [N] of an axle from the recorded forces [N] of its tires and its static load [N]."""
-    if not forces:
+    if not len(forces):
         raise ArgumentError("forces: at least one tire is expected")
     first = vector(forces[0], "force")
     tires = [vector(force, "force", len(first)) for force in forces]
@@ -273,7 +273,7 @@ def axle_drop(model: Model, roads: Sequence[Reference], link: Reference,
     keywords: height [m], duration, step [s]."""
     numbers = np.array([model.find(Part.ROAD, road) for road in roads], dtype=np.int32)
     given, struct = options(AxleDropOptions, settings, changes)._to_struct(), AxleTransient._sized()
-    _call(lib.trk_axle_drop, model._live(), len(numbers), numbers.ctypes,
+    _call(lib.trk_axle_drop, Model._expect(model)._live(), len(numbers), numbers.ctypes,
           model.find(Part.LINK, link), ctypes.byref(given), ctypes.byref(struct))
     return AxleTransient._from_struct(struct)
 

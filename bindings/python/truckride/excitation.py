@@ -35,7 +35,7 @@ class Excitation(Native):
     """
 
     def __init__(self, model: Model, motion: Optional[Signal] = None) -> None:
-        self._model = model
+        self._model = Model._expect(model)
         self._added: list[tuple[Any, int, Signal, tuple[float, ...]]] = []
         self._handle = self._native()
         if motion is not None:
@@ -44,7 +44,7 @@ class Excitation(Native):
     def _native(self, *further: tuple[Any, int, Signal, tuple[float, ...]]) -> Handle:
         """A native excitation, never changed again, so that threads can share it."""
         added = [*self._added, *further]
-        signals = tuple(signal._live() for _, _, signal, _ in added)
+        signals = tuple(Signal._expect(signal)._live() for _, _, signal, _ in added)
         handle = create(quick.trk_excitation_destroy, lib.trk_excitation_create,
                         self._model._live(), keep=signals)
         for (function, place, _, numbers), signal in zip(added, signals):
@@ -118,4 +118,4 @@ def _rebuild(model: Model, added: list[tuple[str, int, Signal, tuple[float, ...]
 
 def as_excitation(model: Model, given: Union[Excitation, Signal]) -> Excitation:
     """A signal means: all wheels in phase."""
-    return Excitation(model, given) if isinstance(given, Signal) else given
+    return Excitation(model, given) if isinstance(given, Signal) else Excitation._expect(given)

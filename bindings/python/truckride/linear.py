@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import math
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union, overload
 
 import numpy as np
@@ -11,11 +12,11 @@ import numpy.typing as npt
 
 from ._abi import Part, Scaling
 from ._library import lib, quick
-from ._native import (Array, ComplexArray, Native, check, check_plain, create, optional, scratch,
-                      text, vector)
+from ._native import (Array, ComplexArray, Native, check, check_plain, create, optional, position,
+                      scratch, text, vector)
 from ._options import SpectrumOptions
 from ._struct import options
-from .errors import ArgumentError
+from .errors import ArgumentError, RangeError
 from .excitation import Excitation, as_excitation
 from .model import Model
 from .signal import Signal
@@ -75,10 +76,11 @@ class Modes(Native, Sequence[Mode]):
         n = model.count(Part.COORDINATE)
         if damped:
             self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_damped,
-                                  model._live(), optional(q, "q", n), optional(v, "v", n))
+                                  Model._expect(model)._live(), optional(q, "q", n),
+                                  optional(v, "v", n))
         else:
             self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_undamped,
-                                  model._live(), optional(q, "q", n))
+                                  Model._expect(model)._live(), optional(q, "q", n))
 
     def __len__(self) -> int:
         return quick.trk_modes_count(self._live())
@@ -153,7 +155,7 @@ class Response:
     units: list[str]
 
     def __getitem__(self, sensor: str) -> ComplexArray:
-        column: ComplexArray = self.values[:, self.sensors.index(sensor)]
+        column: ComplexArray = self.values[:, position(self.sensors, sensor, "sensor")]
         return column
 
     def plot(self, *sensors: str, **options: Any) -> Figure:
@@ -186,8 +188,8 @@ def road_cross_spectra(model: Model, frequency: npt.ArrayLike, density: npt.Arra
     heights = vector(density, "density", len(places))
     inputs = model.count(Part.ROAD) + model.count(Part.PORT)
     out = np.empty((len(places), inputs, inputs), dtype=np.complex128)
-    check(lib.trk_road_cross_spectra(context, model._live(), len(places), places.ctypes,
-                                     heights.ctypes, speed,
+    check(lib.trk_road_cross_spectra(context, Model._expect(model)._live(), len(places),
+                                     places.ctypes, heights.ctypes, speed,
                                      optional(coherence, "coherence", len(places)), out.ctypes),
           context)
     return out
@@ -221,9 +223,9 @@ def response_psd(model: Model, frequency: npt.ArrayLike, inputs: npt.ArrayLike, 
                             f"{given.shape}")
     density = np.empty((model.count(Part.SENSOR), len(places)))
     rms = np.empty(len(density))
-    check(lib.trk_response_psd(context, model._live(), optional(q, "q", n), optional(v, "v", n),
-                               len(places), places.ctypes, given.ctypes, density.ctypes,
-                               rms.ctypes), context)
+    check(lib.trk_response_psd(context, Model._expect(model)._live(), optional(q, "q", n),
+                               optional(v, "v", n), len(places), places.ctypes, given.ctypes,
+                               density.ctypes, rms.ctypes), context)
     return _random(model, places, density, rms)
 
 
@@ -238,13 +240,15 @@ def response_psd_excited(model: Model, excitation: Union[Excitation, Signal], du
     """
     chosen, context = options(SpectrumOptions, settings, changes), scratch()
     struct, n = chosen._to_struct(), model.count(Part.COORDINATE)
-    samples = int(round(duration / step)) + 1
+    if not (step > 0 and math.isfinite(duration / step)):
+        raise RangeError(f"a step of {step} s and a duration of {duration} s are not possible")
+    samples = round(duration / step) + 1
     frequency = psd_frequencies(samples, 1 / step, chosen)
     density = np.empty((model.count(Part.SENSOR), len(frequency)))
     rms = np.full(len(density), np.nan)
     wanted = None if chosen.scaling == Scaling.SPECTRUM else rms.ctypes
     check(lib.trk_response_psd_excited(
-        context, model._live(), optional(q, "q", n), optional(v, "v", n),
+        context, Model._expect(model)._live(), optional(q, "q", n), optional(v, "v", n),
         as_excitation(model, excitation)._live(), start, step, samples, ctypes.byref(struct),
         density.ctypes, wanted), context)
     return _random(model, frequency, density, rms, chosen.scaling)
@@ -272,7 +276,8 @@ def frequency_response(model: Model, frequency: npt.ArrayLike, *,
         road = np.full(roads, road)
     out = np.empty((len(places), model.count(Part.SENSOR)), dtype=np.complex128)
     check(lib.trk_frequency_response(
-        context, model._live(), optional(q, "q", n), optional(v, "v", n), len(places),
+        context, Model._expect(model)._live(), optional(q, "q", n), optional(v, "v", n),
+        len(places),
         places.ctypes, optional(road, "road", roads), optional(delay, "delay", roads),
         optional(load, "load", model.count(Part.PORT)), out.ctypes), context)
     return Response(places, out, model.sensors,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -50,7 +51,7 @@ class Model(Native):
 
     def __init__(self, spec: Spec, gravity: float = 0.0, allow_free: bool = False) -> None:
         self._options = ModelOptions(gravity, int(allow_free))
-        self._spec = spec.copy()
+        self._spec = Spec._expect(spec).copy()
         with Exclusive(self._spec) as handle:
             self._handle = create(quick.trk_model_destroy, lib.trk_model_compile, handle,
                                   ctypes.byref(self._options._to_struct()))
@@ -78,7 +79,7 @@ class Model(Native):
     def find(self, part: Part, name: Reference) -> int:
         """Id of a part by its name; an id is returned as it is."""
         if not isinstance(name, str):
-            return int(name)
+            return operator.index(name)
         found = quick.trk_model_find(self._live(), part, encode(name))
         if not found:
             raise UnknownNameError(f"{self.name}: there is no {part.name.lower()} '{name}'; there "

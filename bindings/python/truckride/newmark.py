@@ -32,7 +32,7 @@ class Newmark(Stepper):
     def __init__(self, model: Model, settings: Optional[NewmarkOptions] = None,
                  **changes: Any) -> None:
         struct = options(NewmarkOptions, settings, changes)._to_struct()
-        native = model._live()
+        native = Model._expect(model)._live()
         self._start(model, create(quick.trk_newmark_destroy, lib.trk_newmark_create, native,
                                   ctypes.byref(struct), keep=(native,)))
         self._advance = self._bind("step", self.height, self.velocity, self.load)

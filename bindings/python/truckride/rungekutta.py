@@ -26,7 +26,7 @@ class StepLimit(NamedTuple):
 def step_limit(model: Model) -> StepLimit:
     """Longest stable step of the explicit method on a model."""
     step, link, context = ctypes.c_double(), ctypes.c_int32(), scratch()
-    check(lib.trk_rungekutta_find_limit(context, model._live(), ctypes.byref(step),
+    check(lib.trk_rungekutta_find_limit(context, Model._expect(model)._live(), ctypes.byref(step),
                                         ctypes.byref(link)), context)
     return StepLimit(step.value, model.names(Part.LINK)[link.value - 1] if link.value else "")
 
@@ -48,7 +48,7 @@ class RungeKutta(Stepper):
     def __init__(self, model: Model, settings: Optional[RungekuttaOptions] = None,
                  **changes: Any) -> None:
         struct = options(RungekuttaOptions, settings, changes)._to_struct()
-        native = model._live()
+        native = Model._expect(model)._live()
         self._start(model, create(quick.trk_rungekutta_destroy, lib.trk_rungekutta_create, native,
                                   ctypes.byref(struct), keep=(native,)))
         self.middle_height = np.zeros_like(self.height)

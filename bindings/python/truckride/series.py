@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._library import lib, quick
-from ._native import (Array, Exclusive, Handle, Native, borrow, check, create, encode, scratch,
-                      text, vector)
+from ._native import (Array, Exclusive, Handle, Native, borrow, check, create, encode, encode_path,
+                      scratch, text, vector)
 from .errors import ArgumentError, UnknownNameError
 from .spectrum import Psd, psd
 
@@ -158,7 +158,7 @@ class Series(Native, Mapping[str, Channel]):
     def write_csv(self, path: Union[str, os.PathLike[str]], every: int = 1) -> None:
         """Write each every-th sample with a header line of names and units."""
         context = scratch()
-        check(lib.trk_series_write_csv(context, self._live(), os.fsencode(path), every), context)
+        check(lib.trk_series_write_csv(context, self._live(), encode_path(path), every), context)
 
     def plot(self, *names: str, **options: Any) -> Axes:
         """Time signals of some channels (default: the accelerations)."""

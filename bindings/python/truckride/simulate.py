@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _abi
 from ._abi import Method, Part
 from ._library import lib, quick
-from ._native import create, vector
+from ._native import create, vector, whole
 from ._options import NewmarkOptions
 from ._progress import Progress, Watch
 from ._struct import member, options
@@ -47,7 +47,8 @@ def simulate(model: Model, excitation: Union[Excitation, Signal], duration: floa
     """
     struct = _abi.trk_simulate_options()
     quick.trk_simulate_options_init(ctypes.byref(struct), ctypes.sizeof(struct))
-    struct.duration, struct.start, struct.record_every = duration, start, record_every
+    struct.duration, struct.start = duration, start
+    struct.record_every = whole(record_every, "record_every")
     struct.method = member(Method, method)
     keep = []
     for field, values in (("initial_q", initial_q), ("initial_velocity", initial_velocity)):
@@ -56,7 +57,7 @@ def simulate(model: Model, excitation: Union[Excitation, Signal], duration: floa
             setattr(struct, field, keep[-1].ctypes.data)
     settings = options(NewmarkOptions, newmark, changes)._to_struct()
     with Watch(progress, "simulate") as watch:
-        handle = create(quick.trk_series_destroy, lib.trk_simulate, model._live(),
+        handle = create(quick.trk_series_destroy, lib.trk_simulate, Model._expect(model)._live(),
                         as_excitation(model, excitation)._live(), ctypes.byref(settings),
                         ctypes.byref(struct), watch.callback, None)
     return Series._of(handle)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import operator
 from typing import TYPE_CHECKING, Any, Optional, Sequence, TypeVar, Union
 
 import numpy as np
@@ -160,7 +161,7 @@ class Spec(Native):
     def find(self, part: Part, name: Reference) -> int:
         """Id of a part by its name; an id is returned as it is."""
         if not isinstance(name, str):
-            return int(name)
+            return operator.index(name)
         found = quick.trk_spec_find(self._live(), part, encode(name))
         if not found:
             raise UnknownNameError(f"{self.name}: there is no {part.name.lower()} '{name}'; there "

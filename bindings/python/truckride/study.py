@@ -12,7 +12,8 @@ import numpy.typing as npt
 from . import _abi
 from ._abi import Field, Output, Status, StudyPart
 from ._library import lib, quick
-from ._native import Array, Exclusive, Native, check, check_plain, create, encode, text, vector
+from ._native import (Array, Exclusive, Native, check, check_plain, create, encode, encode_path,
+                      position, text, vector, whole)
 from ._options import (ModelOptions, NewmarkOptions, SpectrumOptions, StudyOptions,
                        StudyParameterOptions, StudyRunOptions)
 from ._progress import Progress, Watch
@@ -58,7 +59,7 @@ class Study(Native):
                  gravity: float = 0.0, allow_free: bool = False, **changes: Any) -> None:
         struct = options(StudyOptions, settings, changes)._to_struct()
         model = ModelOptions(gravity, int(allow_free))._to_struct()
-        with Exclusive(spec) as handle:
+        with Exclusive(Spec._expect(spec)) as handle:
             self._handle = create(quick.trk_study_destroy, lib.trk_study_create, handle,
                                   ctypes.byref(model), ctypes.byref(struct))
 
@@ -133,13 +134,13 @@ class Study(Native):
 
     def add_excitation(self, name: str, excitation: Excitation) -> int:
         """Add a road that every point of the design is driven over."""
-        out, native = ctypes.c_int32(), excitation._live()
+        out, native = ctypes.c_int32(), Excitation._expect(excitation)._live()
         self._call(lib.trk_study_add_excitation, encode(name), native, ctypes.byref(out))
         self._live().keep += (native,)
         return out.value
 
     def output_unit(self, output: str) -> str:
-        number = self.names(StudyPart.OUTPUT).index(output) + 1
+        number = position(self.names(StudyPart.OUTPUT), output, "output") + 1
         return text(quick.trk_study_output_unit(self._live(), number))
 
     def __len__(self) -> int:
@@ -165,7 +166,7 @@ class Study(Native):
         """Parameters and road of a case, counted from 0."""
         names, road = self.names(StudyPart.PARAMETER), ctypes.c_int32()
         values = np.empty(len(names))
-        check_plain(lib.trk_study_get_case(self._live(), number, values.ctypes,
+        check_plain(quick.trk_study_get_case(self._live(), number, values.ctypes,
                                            ctypes.byref(road)), f"case {number}")
         roads = self.names(StudyPart.EXCITATION)
         return Case(dict(zip(names, values.tolist())), roads[road.value - 1] if road.value else "")
@@ -187,7 +188,7 @@ class Study(Native):
             if cases is None:
                 self._call(lib.trk_study_run, ctypes.byref(struct), watch.callback, None)
             else:
-                numbers = np.ascontiguousarray(list(cases), dtype=np.int64)
+                numbers = np.array([whole(case, "cases") for case in cases], dtype=np.int64)
                 self._call(lib.trk_study_run_cases, len(numbers), numbers.ctypes,
                            ctypes.byref(struct), watch.callback, None)
 
@@ -195,7 +196,7 @@ class Study(Native):
         """Outputs of a finished case [unit of the output], NaN if it failed, and its status."""
         names, status = self.names(StudyPart.OUTPUT), ctypes.c_int32()
         values = np.empty(len(names))
-        check_plain(lib.trk_study_get_outputs(self._live(), case, values.ctypes,
+        check_plain(quick.trk_study_get_outputs(self._live(), case, values.ctypes,
                                               ctypes.byref(status)), f"case {case}")
         return dict(zip(names, values.tolist())), Status(status.value)
 
@@ -218,18 +219,18 @@ class Study(Native):
 
     def open_journal(self, path: PathLike) -> None:
         """Keep finished cases in a file from now on; those it holds are taken from it."""
-        self._call(lib.trk_study_open_journal, os.fsencode(path))
+        self._call(lib.trk_study_open_journal, encode_path(path))
 
     def close_journal(self) -> None:
         self._call(lib.trk_study_close_journal)
 
     def load(self, path: PathLike) -> None:
         """Take cases from a journal, e.g. of a shard."""
-        self._call(lib.trk_study_load, os.fsencode(path))
+        self._call(lib.trk_study_load, encode_path(path))
 
     def write_csv(self, path: PathLike) -> None:
         """Write a table of the finished cases."""
-        self._call(lib.trk_study_write_csv, os.fsencode(path))
+        self._call(lib.trk_study_write_csv, encode_path(path))
 
     def plot(self, output: str = "", **options: Any) -> Figure:
         """An output over every parameter; options as truckride.plot.study()."""

@@ -8,12 +8,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_SETTINGS = 8 };
+enum { MOST_SETTINGS = 12 };
 
 /* From loose to tight; 0 ends the list. */
 #define STEPS                                                                                      \
     {                                                                                              \
-        1e-2, 5e-3, 10e-3 / 3, 2.5e-3, 2e-3, 10e-3 / 7, 1e-3, 0.5e-3                               \
+        10e-3, 7.5e-3, 6e-3, 5e-3, 3.75e-3, 10e-3 / 3, 3e-3, 2.5e-3, 2e-3, 1.5e-3, 1e-3, 0.5e-3    \
     }
 #define TOLERANCES                                                                                 \
     {                                                                                              \

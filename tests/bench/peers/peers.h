@@ -11,8 +11,8 @@
 
 typedef double (*peer_solver)(problem *p, double setting, double *out_q);
 
-/* Our steppers, and a plain Newton loop on all accelerations; a fixed step that divides 10 ms,
- * the road given. */
+/* Our steppers, and a plain Newton loop on all accelerations; a fixed step that divides a
+ * sample, the road given. */
 double peer_newmark(problem *p, double step, double *out_q);
 double peer_rungekutta(problem *p, double step, double *out_q);
 double peer_plain(problem *p, double step, double *out_q);

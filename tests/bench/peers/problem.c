@@ -102,7 +102,7 @@ problem *problem_create(const rig *r)
     int n = r->n;
     if (n > PROBLEM_MAX || r->curves > PROBLEM_TABLES)
         exit(1);
-    *p = (problem){.rig = r, .n = n, .seconds = r->seconds, .samples = r->steps / RIG_EVERY};
+    *p = (problem){.rig = r, .n = n, .seconds = r->seconds, .samples = r->steps / PROBLEM_EVERY};
     p->frequency = 0.8;
     p->growth = log(20 / 0.8) / r->seconds;
     p->amplitude = 1e-3;

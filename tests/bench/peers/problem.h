@@ -38,8 +38,9 @@ typedef struct problem {
     long long evaluations;
 } problem;
 
-/* Every sample is 10 steps of 1 ms. */
-#define PROBLEM_SAMPLE 0.01
+/* q is asked for every so many steps of 1 ms, in seconds: many steps divide it. */
+enum { PROBLEM_EVERY = 30 };
+#define PROBLEM_SAMPLE (1e-3 * PROBLEM_EVERY)
 
 /* From a vehicle with linear springs. Ends the program if it is of another kind. */
 problem *problem_create(const rig *r);

@@ -80,7 +80,8 @@ samples = rows(p.q) - 1;
 times = p.sample * (0:samples);
 
 start = cputime();
-q = newmark(p, 1e-3, 10 * samples, 10, 0.25, 0.5);
+every = round(p.sample / 1e-3);
+q = newmark(p, 1e-3, every * samples, every, 0.25, 0.5);
 printf("Newmark, 1 ms;%.6g;%.6g\n", cputime() - start, relative_error(q, p.q));
 for rtol = [1e-3 1e-4 1e-5 1e-6 1e-7]
   options = odeset("RelTol", rtol, "AbsTol", 1e-3 * rtol);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/*
+/* Needs LAPACK.
  * Spectra without time stepping against trk_simulate() and trk_psd() on the sweep of the
  * thesis: within the bound (LINEAR.12), nearer with longer segments, and off where they must be.
  */
@@ -194,6 +194,42 @@ static void test_errors(void **state)
     trk_model_destroy(truck);
 }
 
+static trk_status respond(trk_context *context)
+{
+    double out[16 * 33];
+    trk_spec *spec = NULL;
+    trk_model *model = NULL;
+    trk_signal *sine = NULL;
+    trk_excitation *road = NULL;
+    trk_spectrum_options options;
+    trk_spectrum_options_init(&options, sizeof options);
+    options.segment_length = 64;
+    trk_status status =
+        trk_vehicle_create_builtin(context, TRK_VEHICLE_REFERENCE_FRONT, TRK_VARIANT_LINEAR, &spec);
+    if (status == TRK_OK)
+        status = trk_model_compile(context, spec, NULL, &model);
+    if (status == TRK_OK)
+        status = trk_signal_create_sine(context, 0.01, 2, 0, 0, &sine);
+    if (status == TRK_OK)
+        status = trk_excitation_create(context, model, &road);
+    if (status == TRK_OK)
+        status = trk_excitation_add_motion(road, TRK_ROAD_ALL, sine, 1, 0);
+    if (status == TRK_OK)
+        status = trk_response_psd_excited(context, model, NULL, NULL, road, 0, 1e-3, 200, &options,
+                                          out, NULL);
+    trk_excitation_destroy(road);
+    trk_signal_destroy(sine);
+    trk_model_destroy(model);
+    trk_spec_destroy(spec);
+    return status;
+}
+
+static void test_lack_of_memory(void **state)
+{
+    (void)state;
+    support_exhaust_memory(respond);
+}
+
 int main(void)
 {
     if (!trk_has_feature(TRK_FEATURE_LAPACK))
@@ -204,6 +240,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_curved_dampers_are_not_linear, support_setup,
                                         support_teardown),
         cmocka_unit_test_setup_teardown(test_errors, support_setup, support_teardown),
+        cmocka_unit_test(test_lack_of_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

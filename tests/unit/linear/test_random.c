@@ -262,6 +262,8 @@ static trk_status respond(trk_context *context)
         status = trk_model_compile(context, spec, NULL, &model);
     if (status == TRK_OK)
         status = trk_response_psd(context, model, NULL, NULL, 2, frequency, input, out, rms);
+    if (status == TRK_OK)
+        status = trk_road_cross_spectra(context, model, 2, frequency, frequency, 20, NULL, input);
     trk_model_destroy(model);
     trk_spec_destroy(spec);
     return status;

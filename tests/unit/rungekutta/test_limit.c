@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The limit of stability: exact where it is known, sharp on random chains, told in refusals. */
+/* Needs LAPACK. The limit of stability: exact where known, sharp on random chains, told in refusals. */
 #include "support.h"
 #include "vehicles.h"
 

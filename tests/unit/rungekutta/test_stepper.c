@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The explicit stepper: order, energy, both paths alike, repeats, every error path, memory. */
+/* Needs LAPACK. The explicit stepper: order, energy, both paths alike, repeats, errors, memory. */
 #include "support.h"
 #include "vehicles.h"
 

@@ -301,6 +301,17 @@ static void foreign_files_are_refused(void **state)
 }
 
 /* A full disk: the run tells it, the results are there all the same. */
+/* /dev/zero is one line without an end, a pipe may never send one. */
+static void devices_are_no_journals(void **state)
+{
+    study_fixture f = small(*state, 1);
+    assert_int_equal(trk_study_open_journal(f.study, "/dev/zero"), TRK_E_FILE);
+    assert_non_null(strstr(trk_context_message(*state), "regular file"));
+    assert_int_equal(trk_study_load(f.study, "/dev/zero"), TRK_E_SYNTAX);
+    assert_non_null(strstr(trk_context_message(*state), "/dev/zero:1:"));
+    study_close(&f);
+}
+
 static void a_journal_that_cannot_be_written_is_told(void **state)
 {
     if (access("/dev/full", W_OK) != 0)
@@ -341,6 +352,7 @@ int main(void)
         cmocka_unit_test(cases_that_fail_do_not_stop_the_others),
         cmocka_unit_test(damage_is_cut_off_or_refused),
         cmocka_unit_test(foreign_files_are_refused),
+        cmocka_unit_test(devices_are_no_journals),
         cmocka_unit_test(a_journal_that_cannot_be_written_is_told),
         cmocka_unit_test(a_longer_monte_carlo_study_goes_on_with_the_journal),
     };

@@ -64,6 +64,24 @@ static void moments_survive_a_large_mean(void **state)
     assert_near(m.squares / (double)squares, 1, 1e-12);
 }
 
+/* Neither in a block nor at its ends, whatever comes after it. */
+static void moments_keep_a_nan(void **state)
+{
+    (void)state;
+    enum { COUNT = 300 };
+    static const int places[] = {0, 3, 127, 128, COUNT - 1};
+    for (size_t p = 0; p < sizeof places / sizeof *places; p++) {
+        double x[COUNT];
+        for (int k = 0; k < COUNT; k++)
+            x[k] = k == places[p] ? NAN : k;
+        trk_moments m;
+        trk_moments_reset(&m);
+        trk_moments_push(&m, COUNT, x);
+        trk_moments_finish(&m);
+        assert_true(isnan(m.minimum) && isnan(m.maximum) && isnan(m.mean));
+    }
+}
+
 /* The run of one case by trk_batch_run() alone, its samples in a row. */
 typedef struct recording {
     double *samples; /* sensors x total */
@@ -186,6 +204,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stream_is_trk_psd_bit_for_bit),
         cmocka_unit_test(moments_survive_a_large_mean),
+        cmocka_unit_test(moments_keep_a_nan),
         cmocka_unit_test(outputs_are_those_of_the_recorded_run),
     };
     return cmocka_run_group_tests(tests, support_setup, support_teardown);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Undamped modes of the linear springs, accurate in a relative sense (NEWMARK.14). */
-#include "newmark/modal.h"
+#include "model/modal_basis.h"
 
 #include <float.h>
 #include <math.h>
