@@ -116,10 +116,37 @@ static trk_status create_signal(const job *j, const char *kind, char *rest, bool
     return *out_valid ? trk_signal_create_step(j->context, v[0], v[1], v[2], out) : TRK_OK;
 }
 
+/* A random road of ISO 8608 under both tracks, from level ground on; speed in km/h. */
+static trk_status add_iso_road(job *j, char *rest, bool *out_valid, trk_excitation *excitation,
+                               trk_signal **out_left, trk_signal **out_right)
+{
+    static const char *const names[] = {"class", "speed", "seed", "waviness", NULL};
+    double v[] = {2, 80, 1, 2};
+    const double run_in = 20;
+    for (char *letter = rest; letter && (letter = strstr(letter, "class=")); letter += 6)
+        if (letter[6] >= 'A' && letter[6] <= 'H')
+            letter[6] = (char)(letter[6] - 'A' + '1');
+    *out_valid = read_settings(rest, names, v) && v[0] == (int)v[0] && v[0] >= 1 && v[0] <= 8 &&
+                 v[2] == (int)v[2] && v[1] > 0;
+    if (!*out_valid)
+        return TRK_OK;
+    trk_road_options o;
+    trk_road_options_init(&o, sizeof o);
+    o.unevenness = trk_road_class_unevenness((int)v[0]);
+    o.waviness = v[3];
+    o.seed = (int64_t)v[2];
+    o.ramp_length = run_in;
+    trk_status status = trk_road_create(j->context, &o, out_left, out_right);
+    for (int side = 0; status == TRK_OK && side < 2; side++)
+        status = trk_excitation_add_profile(excitation, side ? TRK_ROAD_RIGHT : TRK_ROAD_LEFT,
+                                            side ? *out_right : *out_left, 1, v[1] / 3.6, 0);
+    return status;
+}
+
 int job_add_road(job *j, const char *text)
 {
     char copy[TEXT], named[TEXT], *name, *rest;
-    bool valid;
+    bool valid = true;
     if (j->roads == JOB_MOST_ROADS || strlen(text) > TEXT - 8)
         return job_usage(j, "too many roads, or too long:", text);
     /* "sweep:from=1" is called sweep */
@@ -130,14 +157,19 @@ int job_add_road(job *j, const char *text)
             return job_usage(j, "this is no road:", text);
     }
     const char *kind = next_field(&rest, ':');
-    trk_status status = create_signal(j, kind, rest, &valid, &j->signal[j->roads]);
-    if (!valid)
+    trk_signal **signal = j->signal[j->roads];
+    trk_excitation *excitation = NULL;
+    trk_status status = trk_excitation_create(j->context, j->model, &excitation);
+    j->excitation[j->roads] = excitation;
+    if (status == TRK_OK && strcmp(kind, "iso") == 0) {
+        status = add_iso_road(j, rest, &valid, excitation, &signal[0], &signal[1]);
+    } else if (status == TRK_OK) {
+        status = create_signal(j, kind, rest, &valid, &signal[0]);
+        if (status == TRK_OK && valid)
+            status = trk_excitation_add_motion(excitation, TRK_ROAD_ALL, signal[0], 1, 0);
+    }
+    if (status == TRK_OK && !valid)
         return job_usage(j, "this is no road:", text);
-    if (status == TRK_OK)
-        status = trk_excitation_create(j->context, j->model, &j->excitation[j->roads]);
-    if (status == TRK_OK)
-        status = trk_excitation_add_motion(j->excitation[j->roads], TRK_ROAD_ALL,
-                                           j->signal[j->roads], 1, 0);
     if (status == TRK_OK)
         status = trk_study_add_excitation(j->study, name, j->excitation[j->roads], NULL);
     j->roads++;

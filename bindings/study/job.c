@@ -376,7 +376,8 @@ void job_close(job *j)
     trk_study_destroy(j->study);
     for (int k = 0; k < JOB_MOST_ROADS; k++) {
         trk_excitation_destroy(j->excitation[k]);
-        trk_signal_destroy(j->signal[k]);
+        trk_signal_destroy(j->signal[k][0]);
+        trk_signal_destroy(j->signal[k][1]);
     }
     trk_model_destroy(j->model);
     trk_spec_destroy(j->spec);

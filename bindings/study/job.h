@@ -34,7 +34,7 @@ typedef struct job {
     trk_context *context;
     trk_spec *spec;
     trk_model *model;
-    trk_signal *signal[JOB_MOST_ROADS];
+    trk_signal *signal[JOB_MOST_ROADS][2]; /* left and right, or one for both */
     trk_excitation *excitation[JOB_MOST_ROADS];
     int roads;
     trk_study *study;
