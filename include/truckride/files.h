@@ -23,10 +23,10 @@
 /** Options of the CSV readers. */
 typedef struct trk_csv_options {
     size_t  struct_size;       /**< [byte] set by trk_csv_options_init()                         */
-    int32_t separator;         /**< [-] ',' ';' '\t' or ' ' (any number of blanks and tabs);
+    int32_t separator;         /**< [-] comma, semicolon, tab or ' ' (any number of blanks and tabs);
                                     default 0: found from the first lines                        */
     int32_t decimal_comma;     /**< [-] 1: numbers have a decimal comma; the separator must then be
-                                    ';'. Default 0: a point                                      */
+                                    a semicolon. Default 0: a point                                      */
     double  spacing_tolerance; /**< [-] how far a place on the axis may lie off the even grid from
                                     the first to the last, in grid steps, 0 to 0.5; default 0.01 */
 } trk_csv_options;

@@ -80,6 +80,30 @@ static trk_status direction(trk_model *model, trk_assembly *assembly, statics *s
     return status == TRK_OK ? trk_solver_solve(assembly->solver, s->step) : status;
 }
 
+/* Coordinate that is farthest off. */
+static int32_t farthest(const trk_model *model, const statics *s)
+{
+    int32_t most = 0;
+    for (int32_t i = 1; i < model->n; i++)
+        if (fabs(s->q[i]) > fabs(s->q[most]))
+            most = i;
+    return most;
+}
+
+/* What the descent ended at: equilibrium, or `size` newtons out of balance. */
+static trk_status conclude(const trk_model *model, const statics *s, double size, double scale)
+{
+    double noise = rounding(model, s);
+    if (size <= fmax(1e-11 * scale, fmin(noise, 1e-4 * scale)))
+        return TRK_OK;
+    if (size <= noise) /* far off, by a pivot that was nothing but rounding */
+        return trk_model_fail_singular(model->context, model, "stiffness under gravity", s->tangent,
+                                       farthest(model, s));
+    return trk_fail(model->context, TRK_E_CONVERGENCE,
+                    "no static equilibrium found: %g N out of balance, largest force %g N", size,
+                    scale);
+}
+
 static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
 {
     double scale, size = residual(model, s->q, s->residual, &scale);
@@ -97,12 +121,7 @@ static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
         }
         /* Go on until rounding stops the descent, then ask whether that is equilibrium. */
         if (!(smaller < size))
-            return size <= fmax(1e-11 * scale, rounding(model, s))
-                       ? TRK_OK
-                       : trk_fail(
-                             model->context, TRK_E_CONVERGENCE,
-                             "no static equilibrium found: %g N out of balance, largest force %g N",
-                             size, scale);
+            return conclude(model, s, size, scale);
         size = smaller;
         memcpy(s->q, s->trial, (size_t)model->n * sizeof *s->q);
         if (size <= 4 * DBL_EPSILON * scale)

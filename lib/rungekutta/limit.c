@@ -33,6 +33,9 @@ double trk_rungekutta_stable_step(double complex lambda)
     return low / size;
 }
 
+/* Least radius of the region in the left half plane, at 123 degrees (RUNGEKUTTA.3). */
+static const double least_radius = 2.6155;
+
 /* Corners of the box of all tangents: which end of the range each kind of curve takes. */
 typedef struct corner {
     bool large_stiffness, large_damping;
@@ -98,8 +101,13 @@ static trk_status try_corner(limit *l, corner at)
     const double *re, *im;
     int32_t count;
     trk_status status = trk_spectrum_edge_find(l->edge, &linearised, &re, &im, &count);
-    for (int32_t k = 0; status == TRK_OK && k < count; k++)
-        l->step = fmin(l->step, trk_rungekutta_stable_step(trk_complex(re[k], im[k])));
+    for (int32_t k = 0; status == TRK_OK && k < count; k++) {
+        double complex lambda = trk_complex(re[k], im[k]);
+        /* Between the corners the tangents of curves turn eigenvalues to any angle. */
+        double step = l->model->nonlinear_count > 0 ? least_radius / cabs(lambda)
+                                                    : trk_rungekutta_stable_step(lambda);
+        l->step = fmin(l->step, step);
+    }
     return status;
 }
 

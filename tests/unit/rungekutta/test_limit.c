@@ -106,6 +106,52 @@ static void test_limit_is_sharp(void **state)
     }
 }
 
+/*
+ * One mass on a spring, damped by a curve whose slope is that of a damping ratio of 0.545 below
+ * 2 m/s, where the region of stability is narrowest, and 0.9 above. Near the limit it must come
+ * to rest, not ring at the border between the two.
+ */
+static void test_limit_between_the_slopes(void **state)
+{
+    const double critical = 2 * sqrt(1e6 * 100), low = 0.545 * critical * 2,
+                 high = low + 0.9 * critical * 2;
+    const double rate[] = {-10, -4, -2, 2, 4, 10}, force[] = {-high, -high, -low, low, high, high};
+    trk_curve_options options;
+    trk_curve_options_init(&options, sizeof options);
+    options.interpolation = TRK_INTERPOLATION_LINEAR;
+    trk_curve *curve;
+    trk_spec *spec;
+    trk_model *model;
+    trk_body_options body;
+    trk_link_options link;
+    trk_body_options_init(&body, sizeof body);
+    trk_link_options_init(&link, sizeof link);
+    body.mass = 100;
+    link.stiffness = 1e6;
+    assert_ok(*state, trk_curve_create(*state, "damper", 6, rate, force, &options, &curve));
+    link.damper_curve = curve;
+    assert_ok(*state, trk_spec_create(*state, "narrow", &spec));
+    assert_ok(*state, trk_spec_add_body(spec, "mass", &body, &link.to_body));
+    assert_ok(*state, trk_spec_add_link(spec, "strut", &link, NULL));
+    assert_ok(*state, trk_model_compile(*state, spec, NULL, &model));
+    trk_spec_destroy(spec);
+    trk_curve_destroy(curve);
+    trk_rungekutta_options stepping;
+    trk_rungekutta_options_init(&stepping, sizeof stepping);
+    stepping.step = 0.999 * limit_of(*state, model, NULL);
+    trk_rungekutta *stepper;
+    const double q = 1e-6;
+    double v = 1;
+    assert_ok(*state, trk_rungekutta_create(*state, model, &stepping, &stepper));
+    assert_ok(*state, trk_rungekutta_set_state(stepper, 0, &q, NULL, NULL, NULL, NULL));
+    for (int k = 0; k < 20000; k++)
+        assert_ok(*state, trk_rungekutta_step(stepper, NULL, NULL, NULL, NULL, NULL, NULL));
+    trk_rungekutta_get_state(stepper, NULL, &v, NULL);
+    assert_near(v, 0, 1e-9);
+    trk_rungekutta_destroy(stepper);
+    trk_model_destroy(model);
+}
+
 static void test_refusal_names_limit_and_link(void **state)
 {
     trk_model *model = support_oscillator(*state, 2, 800, 0);
@@ -152,6 +198,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_known_limits, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_limit_is_sharp, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(test_limit_between_the_slopes, support_setup,
+                                        support_teardown),
         cmocka_unit_test_setup_teardown(test_refusal_names_limit_and_link, support_setup,
                                         support_teardown),
         cmocka_unit_test_setup_teardown(test_curves_count, support_setup, support_teardown),
