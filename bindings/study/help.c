@@ -45,7 +45,7 @@ void job_help(const char *program)
          "  --chunk N          cases computed together; default 16 a thread\n"
          "  --shard I/N        only each Nth case, from the Ith on\n"
          "  --journal FILE     keep finished cases here; a second run goes on where it ended\n"
-         "  --csv FILE         write the table here\n"
+         "  --csv FILE         write the table here; - is the standard output\n"
          "  --quiet            no progress and no summary\n"
          "  --list             links, bodies and sensors of the vehicle, and nothing else\n"
          "  --help\n\n"

@@ -214,7 +214,7 @@ static bool read_option(job *j, const char *name, const char *value, bool *out_k
                                                        : NULL;
     *out_known = path != NULL;
     if (path)
-        *path = value;
+        *path = path == &j->csv && strcmp(value, "-") == 0 ? "/dev/stdout" : value;
     return path != NULL;
 }
 
