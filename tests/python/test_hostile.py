@@ -22,6 +22,9 @@ from truckride import _abi
 
 OPTIONS = tr.Status.OPTIONS
 CALLBACKS = "trk_allocate", "trk_log", "trk_progress", "trk_batch_sink"
+SURFACE = (b"$CT\n$\n$ROAD_CRG\nREFERENCE_LINE_INCREMENT = 1\nLONG_SECTION_V_RIGHT = -1\n"
+           b"LONG_SECTION_V_LEFT = 1\n$\n$KD_DEFINITION\n#:LRFI\nD:long section 1,m\n"
+           b"D:long section 2,m\n$\n$$$$\n" + b"0.0100000 0.0200000 \n" * 5)
 ROOM = 4096
 SENTINEL = 0x5A5A
 
@@ -54,6 +57,7 @@ def objects():
     made = {"spec": spec, "model": model, "excitation": excitation, "study": study,
             "calibration": calibration, "signal": tr.Signal.sine(0.001, 2),
             "curve": tr.Curve([0, 1, 2, 3], [0, 1, 2, 4]), "modes": model.modes(),
+            "crg": tr.Surface(SURFACE),
             "series": tr.Series({"a": np.arange(50.0)}, 100), "newmark": tr.Newmark(model),
             "rungekutta": tr.RungeKutta(model, step=1e-4),
             "weighting_filter": tr.comfort.WeightingFilter("wk", 500),
@@ -99,8 +103,8 @@ class Caller:
             return None if base in CALLBACKS else by_value.get(base, ctypes.c_int32(1))
         if base == "char":
             return ctypes.create_string_buffer(b"x" * 8) if "const" not in kind else b"x"
-        if base == "void":
-            return None
+        if base == "void":  # bytes of a file, or what a callback gets
+            return SURFACE if "const" in kind else None
         if base in self.places:
             return ctypes.c_void_p(self.places[base])
         if base == "double":

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import truckride as tr
+from test_hostile import SURFACE
 from truckride import _native
 
 
@@ -17,7 +18,7 @@ def everything(model, excitation):
     return [spec, model, excitation, tr.Curve([0, 1], [0, 1]), tr.sweep(duration=1),
             tr.Series({"a": [1, 2]}, 10), tr.Newmark(model), tr.RungeKutta(model), model.modes(),
             tr.Calibration(spec), tr.Study(spec), tr.comfort.WeightingFilter("wk", 500),
-            tr.comfort.VibrationMeter(500)]
+            tr.comfort.VibrationMeter(500), tr.Surface(SURFACE)]
 
 
 def test_closed_objects_raise(model, excitation):

@@ -12,29 +12,32 @@ positive in extension. Long calls release the GIL. Models, curves, signals and e
 be shared by threads; steppers, specs and calibrations serve one thread at a time and say so.
 """
 from . import comfort, roughness
-from ._abi import (TRK_STANDARD_GRAVITY as STANDARD_GRAVITY, Averaging, Axis, Backend, Design,
-                   Detrend, Distribution, Exposure, Extrapolation, Feature, Field, Free,
-                   HalfCarLayout, Interpolation, Meaning, Method, Motion, Output, Part, PeakOrder,
-                   Purpose, Quantity, Reaction, RoadClass, RoadTracks, Scaling, Status, StudyPart, Table, TargetKind,
-                   Unfriendly, Variant, Vehicle, Weighting, Window)
+from ._abi import (TRK_STANDARD_GRAVITY as STANDARD_GRAVITY, Averaging, Axis, Backend, CrgBorder,
+                   CrgMissing, Design, Detrend, Distribution, Exposure, Extrapolation, Feature,
+                   Field, Free, HalfCarLayout, Interpolation, Meaning, Method, Motion, Output, Part,
+                   PeakOrder, Purpose, Quantity, Reaction, RoadClass, RoadTracks, RpcType, Scaling,
+                   Status, StudyPart, Table, TargetKind, Unfriendly, Variant, Vehicle, Weighting,
+                   Window)
 from ._check import check_defaults as _check_defaults
 from ._library import lib as _lib, path as library_path
-from ._options import (AxleDropOptions, AxleTransient, Body, CurveOptions,
+from ._options import (AxleDropOptions, AxleTransient, Body, CrgOptions, CsvOptions, CurveOptions,
                        HalfCarParameters, IriOptions, Link, LoadNumbers, ModelOptions,
                        NewmarkOptions, NewmarkStatistics, ParameterOptions, ParameterResult,
-                       PeakOptions, Port, QuarterCarParameters, RoadOptions, RungekuttaOptions, RunOptions,
-                       Sensor, SolveOptions, SpectrumOptions, StudyOptions,
-                       StudyParameterOptions, StudyRunOptions, SweepOptions, TargetResult,
-                       TravelNumbers, TruckParameters, Vibration)
+                       PeakOptions, Port, QuarterCarParameters, RoadOptions, RpcOptions,
+                       RungekuttaOptions, RunOptions, Sensor, SolveOptions, SpectrumOptions,
+                       StudyOptions, StudyParameterOptions, StudyRunOptions, SweepOptions,
+                       TargetResult, TravelNumbers, TruckParameters, Vibration)
 from ._stepper import LinkState, State, Stepper
 from .batch import Batch, run_batch
 from .calibrate import Calibration, Evaluation, Solution
+from .crg import Extent, Surface
 from .curve import Curve
 from .errors import (ArgumentError, BusyError, CancelledError, ClosedError, ConvergenceError,
                      FileError, IdentifyError, InputError, InternalError, LibraryError, LimitError,
                      ModelError, OptionsError, OutOfMemoryError, RangeError, SingularError,
                      TargetError, TruckrideError, UnknownNameError, UnsupportedError)
 from .excitation import Excitation, Inputs
+from .files import read_csv, read_csv_signal, read_erd, read_rpc
 from .linear import (Mode, Modes, RandomResponse, Response, frequency_response, response_psd,
                      response_psd_excited, road_cross_spectra)
 from .model import Model, Static, Tangent
@@ -61,29 +64,30 @@ def has_feature(feature: Feature) -> bool:
 
 
 __all__ = [
-    "ArgumentError", "Averaging", "Axis", "AxleDropOptions", "AxleTransient", "Backend",
-    "Batch", "Body", "BusyError", "Calibration", "CancelledError", "Case",
-    "Channel", "ClosedError", "ConvergenceError", "Curve", "CurveOptions", "Description",
-    "Design", "Detrend", "Distribution", "Evaluation", "Excitation", "Exposure",
-    "Extrapolation", "Feature", "Field", "FileError", "Free", "HalfCarLayout",
-    "HalfCarParameters", "IdentifyError", "InputError", "Inputs", "InternalError",
-    "Interpolation", "IriOptions", "LibraryError", "LimitError", "Link", "LinkState",
-    "LoadNumbers", "Meaning", "Method", "Mode", "Model", "ModelError", "ModelOptions", "Modes",
-    "Motion", "Newmark", "NewmarkOptions", "NewmarkStatistics", "OptionsError",
-    "OutOfMemoryError", "Output", "ParameterOptions", "ParameterResult", "Part", "Peak",
-    "PeakOptions", "PeakOrder", "PointMass", "Port", "Psd", "Purpose", "Quantity",
+    "ArgumentError", "Averaging", "Axis", "AxleDropOptions", "AxleTransient", "Backend", "Batch",
+    "Body", "BusyError", "Calibration", "CancelledError", "Case", "Channel", "ClosedError",
+    "ConvergenceError", "CrgBorder", "CrgMissing", "CrgOptions", "CsvOptions", "Curve",
+    "CurveOptions", "Description", "Design", "Detrend", "Distribution", "Evaluation",
+    "Excitation", "Exposure", "Extent", "Extrapolation", "Feature", "Field", "FileError", "Free",
+    "HalfCarLayout", "HalfCarParameters", "IdentifyError", "InputError", "Inputs",
+    "InternalError", "Interpolation", "IriOptions", "LibraryError", "LimitError", "Link",
+    "LinkState", "LoadNumbers", "Meaning", "Method", "Mode", "Model", "ModelError",
+    "ModelOptions", "Modes", "Motion", "Newmark", "NewmarkOptions", "NewmarkStatistics",
+    "OptionsError", "OutOfMemoryError", "Output", "ParameterOptions", "ParameterResult", "Part",
+    "Peak", "PeakOptions", "PeakOrder", "PointMass", "Port", "Psd", "Purpose", "Quantity",
     "QuarterCarParameters", "RandomResponse", "RangeError", "Reaction", "Response", "Road",
-    "RunOptions", "RungeKutta", "RungekuttaOptions", "STANDARD_GRAVITY", "Scaling", "Sensor",
-    "Series", "Signal", "SingularError", "Solution", "SolveOptions", "Spec", "SpectrumOptions",
-    "State", "Static", "Status", "StepLimit", "Stepper", "Study", "StudyOptions",
-    "StudyParameterOptions", "StudyPart", "StudyRunOptions", "SweepOptions", "Table", "Tangent",
-    "TargetError", "TargetKind", "TargetResult", "TravelNumbers", "TruckParameters",
-    "TruckrideError", "Unfriendly", "UnknownNameError", "UnsupportedError", "Variant",
-    "Vehicle", "Vibration", "Weighting", "Window", "__version__", "adams", "axle_quarter",
-    "band_rms", "coherence", "comfort", "csd", "frequency_response", "frf", "generalized_alpha",
-    "half_car", "half_truck", "has_feature", "hht", "library_path", "psd", "psd_frequencies",
-    "psd_normalise", "psd_peaks", "psd_segments", "quarter_car", "response_psd",
-    "response_psd_excited", "road_cross_spectra", "roughness", "run_batch", "simulate", "Tracks", "road", "road_coherence", "road_density", "RoadClass",
-    "RoadTracks", "RoadOptions",
-    "step_limit", "sweep", "truck", "vehicle",
+    "RoadClass", "RoadOptions", "RoadTracks", "RpcOptions", "RpcType", "RunOptions", "RungeKutta",
+    "RungekuttaOptions", "STANDARD_GRAVITY", "Scaling", "Sensor", "Series", "Signal",
+    "SingularError", "Solution", "SolveOptions", "Spec", "SpectrumOptions", "State", "Static",
+    "Status", "StepLimit", "Stepper", "Study", "StudyOptions", "StudyParameterOptions",
+    "StudyPart", "StudyRunOptions", "Surface", "SweepOptions", "Table", "Tangent", "TargetError",
+    "TargetKind", "TargetResult", "Tracks", "TravelNumbers", "TruckParameters", "TruckrideError",
+    "Unfriendly", "UnknownNameError", "UnsupportedError", "Variant", "Vehicle", "Vibration",
+    "Weighting", "Window", "__version__", "adams", "axle_quarter", "band_rms", "coherence",
+    "comfort", "csd", "frequency_response", "frf", "generalized_alpha", "half_car", "half_truck",
+    "has_feature", "hht", "library_path", "psd", "psd_frequencies", "psd_normalise", "psd_peaks",
+    "psd_segments", "quarter_car", "read_csv", "read_csv_signal", "read_erd", "read_rpc",
+    "response_psd", "response_psd_excited", "road", "road_coherence", "road_cross_spectra",
+    "road_density", "roughness", "run_batch", "simulate", "step_limit", "sweep", "truck",
+    "vehicle",
 ]

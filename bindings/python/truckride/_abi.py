@@ -92,6 +92,27 @@ class PeakOrder(enum.IntEnum):
     FREQUENCY = 1
 
 
+class RpcType(enum.IntEnum):
+    FLOATING_POINT = 0
+    SHORT_INTEGER = 1
+
+
+class CrgBorder(enum.IntEnum):
+    FILE = 0
+    NONE = 1
+    ZERO = 2
+    KEEP = 3
+    REPEAT = 4
+    REFLECT = 5
+
+
+class CrgMissing(enum.IntEnum):
+    FILE = 0
+    KEEP = 1
+    ZERO = 2
+    NEIGHBOUR = 3
+
+
 class RoadClass(enum.IntEnum):
     A = 1
     B = 2
@@ -360,6 +381,35 @@ class trk_sweep_options(Structure):
         ("amplitude_exponent", c_double),
         ("phase", c_double),
         ("start", c_double),
+    ]
+
+
+class trk_csv_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("separator", c_int32),
+        ("decimal_comma", c_int32),
+        ("spacing_tolerance", c_double),
+    ]
+
+
+class trk_rpc_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("type", c_int32),
+        ("big_endian", c_int32),
+        ("drive", c_int32),
+        ("reserved", c_int32),
+    ]
+
+
+class trk_crg_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("border_u", c_int32),
+        ("border_v", c_int32),
+        ("missing", c_int32),
+        ("reserved", c_int32),
     ]
 
 
@@ -851,6 +901,29 @@ class Functions:
     trk_signal_value: Callable[..., float]
     trk_signal_rate: Callable[..., float]
     trk_signal_evaluate: Callable[..., None]
+    trk_csv_options_init: Callable[..., None]
+    trk_series_read_csv: Callable[..., int]
+    trk_series_parse_csv: Callable[..., int]
+    trk_signal_read_csv: Callable[..., int]
+    trk_signal_parse_csv: Callable[..., int]
+    trk_series_read_erd: Callable[..., int]
+    trk_series_parse_erd: Callable[..., int]
+    trk_series_read_rpc: Callable[..., int]
+    trk_series_parse_rpc: Callable[..., int]
+    trk_rpc_options_init: Callable[..., None]
+    trk_series_write_rpc: Callable[..., int]
+    trk_series_write_mat: Callable[..., int]
+    trk_series_to_si: Callable[..., int]
+    trk_crg_options_init: Callable[..., None]
+    trk_crg_read: Callable[..., int]
+    trk_crg_parse: Callable[..., int]
+    trk_crg_destroy: Callable[..., None]
+    trk_crg_rows: Callable[..., int]
+    trk_crg_columns: Callable[..., int]
+    trk_crg_extent: Callable[..., int]
+    trk_crg_height: Callable[..., float]
+    trk_crg_profile: Callable[..., int]
+    trk_crg_sample: Callable[..., int]
     trk_road_options_init: Callable[..., None]
     trk_road_class_unevenness: Callable[..., float]
     trk_road_create: Callable[..., int]
@@ -1177,6 +1250,52 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_double, (c_void_p, c_double)),
     "trk_signal_evaluate":
         (None, (c_void_p, c_int64, c_double, c_double, c_void_p, c_void_p)),
+    "trk_csv_options_init":
+        (None, (POINTER(trk_csv_options), c_size_t)),
+    "trk_series_read_csv":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_csv_options), c_void_p)),
+    "trk_series_parse_csv":
+        (c_int32, (c_void_p, c_char_p, c_void_p, c_size_t, POINTER(trk_csv_options), c_void_p)),
+    "trk_signal_read_csv":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_csv_options), c_int32, c_void_p)),
+    "trk_signal_parse_csv":
+        (c_int32, (c_void_p, c_char_p, c_void_p, c_size_t, POINTER(trk_csv_options), c_int32, c_void_p)),
+    "trk_series_read_erd":
+        (c_int32, (c_void_p, c_char_p, c_void_p)),
+    "trk_series_parse_erd":
+        (c_int32, (c_void_p, c_char_p, c_void_p, c_size_t, c_void_p)),
+    "trk_series_read_rpc":
+        (c_int32, (c_void_p, c_char_p, c_void_p)),
+    "trk_series_parse_rpc":
+        (c_int32, (c_void_p, c_char_p, c_void_p, c_size_t, c_void_p)),
+    "trk_rpc_options_init":
+        (None, (POINTER(trk_rpc_options), c_size_t)),
+    "trk_series_write_rpc":
+        (c_int32, (c_void_p, c_void_p, c_char_p, POINTER(trk_rpc_options))),
+    "trk_series_write_mat":
+        (c_int32, (c_void_p, c_void_p, c_char_p)),
+    "trk_series_to_si":
+        (c_int32, (c_void_p,)),
+    "trk_crg_options_init":
+        (None, (POINTER(trk_crg_options), c_size_t)),
+    "trk_crg_read":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_crg_options), c_void_p)),
+    "trk_crg_parse":
+        (c_int32, (c_void_p, c_char_p, c_void_p, c_size_t, POINTER(trk_crg_options), c_void_p)),
+    "trk_crg_destroy":
+        (None, (c_void_p,)),
+    "trk_crg_rows":
+        (c_int64, (c_void_p,)),
+    "trk_crg_columns":
+        (c_int64, (c_void_p,)),
+    "trk_crg_extent":
+        (c_int32, (c_void_p, c_void_p, c_void_p, c_void_p, c_void_p)),
+    "trk_crg_height":
+        (c_double, (c_void_p, c_double, c_double)),
+    "trk_crg_profile":
+        (c_int32, (c_void_p, c_void_p, c_double, c_int32, c_void_p)),
+    "trk_crg_sample":
+        (c_int32, (c_void_p, c_void_p, c_int32, c_void_p, c_double, c_double, c_int64, c_void_p)),
     "trk_road_options_init":
         (None, (POINTER(trk_road_options), c_size_t)),
     "trk_road_class_unevenness":

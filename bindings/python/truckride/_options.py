@@ -94,6 +94,57 @@ class SweepOptions(Fields):
 
 
 @dataclasses.dataclass(frozen=True)
+class CsvOptions(Fields):
+    """Options of the CSV readers.
+
+    separator: [-] comma, semicolon, tab or ' ' (any number of blanks and tabs); default 0:
+        found from the first lines
+    decimal_comma: [-] 1: numbers have a decimal comma; the separator must then be a semicolon.
+        Default 0: a point
+    spacing_tolerance: [-] how far a place on the axis may lie off the even grid from the first
+        to the last, in grid steps, 0 to 0.5; default 0.01
+    """
+
+    _struct_ = _abi.trk_csv_options
+
+    separator: int = 0
+    decimal_comma: int = 0
+    spacing_tolerance: float = 0.01
+
+
+@dataclasses.dataclass(frozen=True)
+class RpcOptions(Fields):
+    """Options of trk_series_write_rpc().
+
+    type: [-]
+    big_endian: [-] 1: BINARY_IEEE_BIG_END; default 0: little
+    drive: [-] 1: TIME_TYPE is DRIVE; default 0: RESPONSE
+    """
+
+    _struct_ = _abi.trk_rpc_options
+
+    type: _abi.RpcType = _abi.RpcType.FLOATING_POINT
+    big_endian: int = 0
+    drive: int = 0
+
+
+@dataclasses.dataclass(frozen=True)
+class CrgOptions(Fields):
+    """Options of trk_crg_read().
+
+    border_u: [-] before and behind
+    border_v: [-] right and left
+    missing: [-]
+    """
+
+    _struct_ = _abi.trk_crg_options
+
+    border_u: _abi.CrgBorder = _abi.CrgBorder.FILE
+    border_v: _abi.CrgBorder = _abi.CrgBorder.FILE
+    missing: _abi.CrgMissing = _abi.CrgMissing.FILE
+
+
+@dataclasses.dataclass(frozen=True)
 class RoadOptions(Fields):
     """Which road.
 

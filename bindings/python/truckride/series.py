@@ -2,6 +2,7 @@
 """Sampled channels: names, units, sample rate. What a run records."""
 from __future__ import annotations
 
+import ctypes
 import os
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Union
 
@@ -11,6 +12,8 @@ import numpy.typing as npt
 from ._library import lib, quick
 from ._native import (Array, Exclusive, Handle, Native, borrow, check, create, encode, encode_path,
                       scratch, text, vector)
+from ._options import RpcOptions
+from ._struct import options
 from .errors import ArgumentError, UnknownNameError
 from .spectrum import Psd, psd
 
@@ -30,7 +33,7 @@ class Channel:
 
     @property
     def time(self) -> Array:
-        """[s] of each sample."""
+        """Time or place of each sample [s or m]."""
         return self.start + np.arange(len(self.values)) / self.rate
 
     @property
@@ -57,18 +60,18 @@ class Channel:
         return self.values[key]
 
     def __repr__(self) -> str:
-        return f"<Channel '{self.name}' [{self.unit}], {len(self)} samples at {self.rate:g} Hz>"
+        return f"<Channel '{self.name}' [{self.unit}], {len(self)} samples, rate {self.rate:g}>"
 
 
 class Series(Native, Mapping[str, Channel]):
-    """Equally spaced samples of several channels over one time axis.
+    """Equally spaced samples of several channels over one axis, time or, as a profile, distance.
 
     A mapping from channel names to channels, whose arrays are views of the library's memory.
 
     Args:
         data: channels by name [any], all of one length; copied
-        rate: sample rate [Hz]
-        start: time of the first sample [s]
+        rate: sample rate [Hz or 1/m]
+        start: time or place of the first sample [s or m]
         units: unit of each channel by name, "" where not given
     """
 
@@ -133,17 +136,17 @@ class Series(Native, Mapping[str, Channel]):
 
     @property
     def rate(self) -> float:
-        """Sample rate [Hz]."""
+        """Sample rate [Hz or 1/m]."""
         return quick.trk_series_rate(self._live())
 
     @property
     def start(self) -> float:
-        """Time of the first sample [s]."""
+        """Time or place of the first sample [s or m]."""
         return quick.trk_series_start(self._live())
 
     @property
     def time(self) -> Array:
-        """Time of each sample [s]."""
+        """Time or place of each sample [s or m]."""
         return self.start + np.arange(self.samples) / self.rate
 
     @property
@@ -151,7 +154,7 @@ class Series(Native, Mapping[str, Channel]):
         return {name: self[name].unit for name in self}
 
     def resample(self, rate: float) -> Series:
-        """All channels at another rate [Hz] over the same time, low-passed."""
+        """All channels at another rate [Hz or 1/m] over the same time, low-passed."""
         return Series._of(create(quick.trk_series_destroy, lib.trk_series_resample, self._live(),
                                  rate))
 
@@ -159,6 +162,27 @@ class Series(Native, Mapping[str, Channel]):
         """Write each every-th sample with a header line of names and units."""
         context = scratch()
         check(lib.trk_series_write_csv(context, self._live(), encode_path(path), every), context)
+
+    def write_rpc(self, path: Union[str, os.PathLike[str]], settings: Optional[RpcOptions] = None,
+                  **changes: Any) -> None:
+        """Write as MTS RPC III, for a rig; keywords are the fields of RpcOptions: type
+        ("floating_point" or "short_integer"), big_endian, drive."""
+        chosen, context = options(RpcOptions, settings, changes), scratch()
+        check(lib.trk_series_write_rpc(context, self._live(), encode_path(path),
+                                       ctypes.byref(chosen._to_struct())), context)
+
+    def write_mat(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Write as MATLAB level 5, which MATLAB, Octave and scipy.io.loadmat() read: each channel
+        a variable, with `time` [s or m], `channel_names` and `channel_units`."""
+        context = scratch()
+        check(lib.trk_series_write_mat(context, self._live(), encode_path(path)), context)
+
+    def to_si(self) -> Series:
+        """Convert the channels whose unit is known (mm, ft, km/h, g, kN, deg, ...) to SI, in place;
+        others stay as they are. Returns the series itself."""
+        with Exclusive(self) as handle:
+            check(lib.trk_series_to_si(handle), handle.context)
+        return self
 
     def plot(self, *names: str, **options: Any) -> Axes:
         """Time signals of some channels (default: the accelerations)."""
@@ -182,4 +206,4 @@ class Series(Native, Mapping[str, Channel]):
     def __repr__(self) -> str:
         if self.closed:
             return "<Series, closed>"
-        return f"<Series of {len(self)} channels, {self.samples} samples at {self.rate:g} Hz>"
+        return f"<Series of {len(self)} channels, {self.samples} samples, rate {self.rate:g}>"

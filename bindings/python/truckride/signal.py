@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 class Signal(Native):
     """A function s(x) of time [s] or, as a road profile, of distance [m].
 
-    Made by Signal.step(), sine(), sweep(), samples() or points(). Immutable; threads and
-    excitations may share it.
+    Made by Signal.step(), sine(), sweep(), samples() or points(), by road(), read_csv_signal()
+    or Surface.profile(). Immutable; threads and excitations may share it.
     """
 
     _recipe: tuple[str, tuple[Any, ...]]
@@ -50,6 +50,17 @@ class Signal(Native):
         from .road import road as make_road
         tracks: tuple[Signal, Signal] = make_road(road)
         return tracks[number]
+
+    @classmethod
+    def _csv(cls, source: Any, column: int, settings: Any, name: str) -> Signal:
+        from .files import read_csv_signal
+        return read_csv_signal(source, column, settings, name=name)
+
+    @classmethod
+    def _profile(cls, surface: tuple[Any, ...], v: float, smooth: bool) -> Signal:
+        from .crg import Surface
+        source, settings, name = surface
+        return Surface(source, settings, name=name).profile(v, smooth)
 
     @classmethod
     def step(cls, height: float, length: float, start: float = 0.0) -> Signal:
