@@ -535,9 +535,9 @@ TRK_API void trk_axle_drop_options_init(trk_axle_drop_options *options, size_t s
  * from static equilibrium, and the elongation of a suspension link is measured as by
  * trk_axle_transient_measure(); its level at rest is the mean over the last fifth of the run.
  *
- * Wheel hop adds peaks of its own where it is weakly damped, as without dampers: the second peak
- * may then be that of the hop (7 to 15 Hz), or the record be refused. Take the damping ratio
- * of the mode instead, trk_modes_damping_ratio().
+ * Wheel hop adds peaks of its own where it is weakly damped, as without dampers. A second peak
+ * above 5 Hz is taken for one of those and refused, and two of them may be no falling peaks at
+ * all. Take the damping ratio of the mode then, trk_modes_damping_ratio().
  *
  * @param roads         number of road inputs under the axle, >= 1
  * @param road          their ids, length roads
@@ -547,7 +547,8 @@ TRK_API void trk_axle_drop_options_init(trk_axle_drop_options *options, size_t s
  * @retval TRK_E_ARGUMENT a pointer is NULL, or there is no such road or link
  * @retval TRK_E_OPTIONS  options come from a newer header and set an unknown field, or
  *                        struct_size of out_transient is not set
- * @retval TRK_E_RANGE    an option is out of range, or as trk_axle_transient_measure()
+ * @retval TRK_E_RANGE    an option is out of range, the second peak is that of wheel hop, or as
+ *                        trk_axle_transient_measure()
  * @retval TRK_E_MEMORY   no memory
  * Further errors as trk_newmark_create() and trk_newmark_step().
  */

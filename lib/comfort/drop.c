@@ -65,6 +65,21 @@ static trk_status run(trk_newmark *stepper, const double *height, int32_t link, 
     return status;
 }
 
+/* What a chassis does on its springs is slower, what an axle does on its tires is faster. */
+static const double fastest_bounce = 5; /* [Hz] */
+
+/* The second peak may be that of the axle on its tires, where nothing damps it. */
+static trk_status check_bounce(trk_context *context, const trk_axle_transient *t)
+{
+    if (t->damped_frequency <= fastest_bounce)
+        return TRK_OK;
+    return trk_fail(context, TRK_E_RANGE,
+                    "%s: the second compression peak follows at %.3g Hz: weakly damped wheel hop, "
+                    "not the motion above the axle (at most %g Hz); take the damping ratio of the "
+                    "mode",
+                    what, t->damped_frequency, fastest_bounce);
+}
+
 static double mean_of_end(int64_t count, const double *x)
 {
     int64_t first = count - count / 5;
@@ -110,9 +125,14 @@ trk_status trk_axle_drop(trk_context *context, const trk_model *model, int32_t r
             height[road[k] - 1] = -o.height;
         status = run(stepper, height, link, count, elongation, travel);
     }
+    trk_axle_transient measured = {.struct_size = sizeof measured};
     if (status == TRK_OK)
         status = trk_axle_transient_measure(context, count, travel, 1 / o.step,
-                                            mean_of_end(count, travel), out_transient);
+                                            mean_of_end(count, travel), &measured);
+    if (status == TRK_OK)
+        status = check_bounce(context, &measured);
+    if (status == TRK_OK)
+        status = trk_write_options(out_transient, &measured, sizeof measured);
     trk_newmark_destroy(stepper);
     trk_free(context, travel);
     trk_free(context, elongation);
