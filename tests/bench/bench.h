@@ -67,6 +67,7 @@ double bench_error(int64_t rows, int columns, const double *x, const double *wan
 
 /* The subjects. */
 void bench_machine(bench *b);
+void bench_thesis(bench *b);
 void bench_truck(bench *b);
 void bench_kernels(bench *b);
 void bench_peers(bench *b);
