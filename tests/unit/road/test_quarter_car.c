@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Roads under cars: IRI of the classes, variances of a quarter car in closed form. */
+/* Needs LAPACK. Roads under cars: IRI of the classes, variances of a quarter car in closed form. */
 #include "profile.h"
 
 #include <truckride/roughness.h>
