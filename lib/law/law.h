@@ -1,48 +1,101 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Force law of one link, a pure function of elongation e and rate v (SPEC.3):
- *
- *     f(e, v) = k e + c v + g(e, v)                                    (LAW.1)
- *     g(e, v) = a_s s(e + e_0) + a_d d(v) - g_rest                      (LAW.2)
- *
- * The linear part stays apart: the stepper factors it once, and only g is
- * evaluated inside an iteration. g_rest = a_s s(e_0) + a_d d(0) when motion is
- * measured from static equilibrium, else 0.
+ * Inside of a law with parameters: what its kind can do. All pure functions of the law, its
+ * committed memory z and the motion; nothing is written but the outputs.
  */
 #ifndef TRK_LAW_LAW_H
 #define TRK_LAW_LAW_H
 
 #include "base/base.h"
-#include <truckride/curve.h>
+#include <truckride/law.h>
 
-typedef struct trk_law {
-    double stiffness, damping;         /* k [N/m, N m/rad], c [N s/m, N m s/rad] */
-    trk_curve *spring, *damper;        /* owned; NULL: none                      */
-    double spring_scale, damper_scale; /* a_s, a_d [-]                           */
-    double spring_offset;              /* e_0 [m, rad]                           */
-    double rest;                       /* g_rest [N, N m]                        */
-} trk_law;
-
-/* Where the last evaluation stood on the curves; any value is valid. */
-typedef struct trk_law_hint {
-    int32_t spring, damper;
-} trk_law_hint;
-
-/* Non-linear force g and its tangents dg/de, dg/dv. */
+/* Force and its tangents df/de, df/dv. */
 typedef struct trk_law_point {
     double force, stiffness, damping;
 } trk_law_point;
 
-static inline bool trk_law_is_linear(const trk_law *law)
-{
-    return !law->spring && !law->damper;
-}
+/* Memory of the law that remembers most, so that trial memory can live on the stack. */
+enum { TRK_LAW_STATES = 2 };
 
-/* g(e, v) and its tangents (LAW.2). */
-void trk_law_evaluate(const trk_law *law, double e, double v, trk_law_hint *hint,
-                      trk_law_point *out);
+/* Which numbers of a law are varied: those of trk_field. */
+typedef int32_t trk_law_part;
+enum {
+    TRK_LAW_PART_NONE = 0,
+    TRK_LAW_PART_STIFFNESS = 1, /* tire, stops            */
+    TRK_LAW_PART_DAMPING = 2,   /* tire                   */
+    TRK_LAW_PART_FRICTION = 3,  /* leaf, friction, seal   */
+    TRK_LAW_PART_APPROACH = 4   /* leaf                   */
+};
 
-/* Whole force f(e, v) (LAW.1) without hints or tangents. */
-double trk_law_force(const trk_law *law, double e, double v);
+typedef struct trk_law_ops {
+    trk_law_kind kind;
+    const char *word; /* in messages: "leaf spring" */
+    int32_t states;   /* doubles of memory, at most TRK_LAW_STATES */
+    /* Memory of a law that has been at rest at e for long: friction relaxed, pressures equal. */
+    void (*relax)(const trk_law *law, double e, double *z);
+    /*
+     * Force at (e, v), reached in the time h from the committed memory z, its tangents, and the
+     * memory then, z_next (states long, never NULL if states > 0). h = 0: memory driven by time
+     * stands still, memory driven by motion moves along the path from z to e. No motion since
+     * z: the tangent is that of sticking friction.
+     */
+    void (*evaluate)(const trk_law *law, const double *z, double e, double v, double h,
+                     trk_law_point *out, double *z_next);
+    /* Force of a law that has been at rest at e for long and its slope over e: for statics. With
+     * z relaxed at e it is the force of evaluate, whose tangent is steeper where friction sticks. */
+    void (*rest)(const trk_law *law, double e, trk_law_point *out);
+    /* Energy [J] that the law can give back up to a constant, and power [W] that it turns to
+     * heat: f v = d(stored)/dt + lost. z is the memory at e. */
+    double (*stored)(const trk_law *law, const double *z, double e);
+    double (*lost)(const trk_law *law, const double *z, double e, double v);
+    /* Bound |df/de|, |df/dv| where they end: for statics that start where a law is slack. */
+    void (*steepest)(const trk_law *law, double *out_stiffness, double *out_damping);
+    /* Numbers of a part: how many that differ and are not zero; the first of them is written.
+     * A curve counts as two, as it has no single value. */
+    int32_t (*numbers)(const trk_law *law, trk_law_part part, double *out_first);
+    /* A copy with the numbers of a part multiplied by factor. */
+    trk_status (*remake)(trk_context *context, const trk_law *law, trk_law_part part, double factor,
+                         trk_law **out_law);
+    void (*release)(trk_law *law); /* what a kind owns beside its struct; NULL: nothing */
+} trk_law_ops;
+
+/* Every kind has a struct of its own that begins with this one. */
+struct trk_law {
+    trk_context *context;
+    const trk_law_ops *ops;
+    char *name;
+};
+
+/* A copy whose numbers of a part are multiplied by factor. TRK_E_MODEL: the law has nothing of
+ * that sort; other errors as the create functions. */
+trk_status trk_law_scaled(trk_context *context, const trk_law *law, trk_law_part part,
+                          double factor, trk_law **out_law);
+
+/* True when the part is one single number, not zero. */
+bool trk_law_number(const trk_law *law, trk_law_part part, double *out_value);
+
+/*
+ * What every create function begins with: *out_law = NULL, no pointer NULL, the caller's
+ * options read into `known`, which holds the defaults.
+ */
+trk_status trk_law_begin(trk_context *context, const trk_law_ops *ops, const char *name,
+                         const void *options, void *known, size_t known_size, trk_law **out_law);
+
+/* And ends with: memory for the struct of the kind, its base filled in. */
+trk_status trk_law_allocate(trk_context *context, const trk_law_ops *ops, const char *name,
+                            size_t size, trk_law **out_law);
+
+/* Range checks of a field. */
+trk_status trk_law_check_positive(trk_context *context, const trk_law_ops *ops, const char *name,
+                                  const char *field, double value);
+trk_status trk_law_check_not_negative(trk_context *context, const trk_law_ops *ops,
+                                      const char *name, const char *field, double value);
+
+/* What every get function does. */
+trk_status trk_law_read(const trk_law *law, trk_law_kind kind, const void *known, size_t known_size,
+                        void *out_options);
+
+/* The first number of a list of count, how many differ from it and from zero: for `numbers`. */
+int32_t trk_law_distinct(const double *values, int32_t count, double *out_first);
 
 #endif

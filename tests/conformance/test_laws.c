@@ -6,7 +6,7 @@
  */
 #include "support.h"
 
-#include "law/law.h"
+#include "law/link_law.h"
 #include <truckride/vehicle.h>
 
 enum { TABLES = TRK_TABLE_REFERENCE_REAR_CAB_DAMPER };
@@ -20,7 +20,7 @@ static bool is_damper(trk_table table)
 }
 
 /* The table as a law; interpolation -1 is the table's own. */
-static trk_law make(trk_context *context, trk_table table, trk_interpolation interpolation)
+static trk_link_law make(trk_context *context, trk_table table, trk_interpolation interpolation)
 {
     trk_curve_options options;
     trk_curve_options_init(&options, sizeof options);
@@ -28,12 +28,12 @@ static trk_law make(trk_context *context, trk_table table, trk_interpolation int
     trk_curve *curve;
     assert_ok(context, trk_vehicle_create_curve(context, table, interpolation < 0 ? NULL : &options,
                                                 &curve));
-    trk_law law = {.stiffness = 1e5,
-                   .damping = 1e3,
-                   .spring_scale = 1.25,
-                   .damper_scale = 0.75,
-                   .spring_offset = 0.001,
-                   .rest = 10};
+    trk_link_law law = {.stiffness = 1e5,
+                        .damping = 1e3,
+                        .spring_scale = 1.25,
+                        .damper_scale = 0.75,
+                        .spring_offset = 0.001,
+                        .rest = 10};
     if (is_damper(table))
         law.damper = curve;
     else
@@ -41,20 +41,20 @@ static trk_law make(trk_context *context, trk_table table, trk_interpolation int
     return law;
 }
 
-static void drop(trk_law *law)
+static void drop(trk_link_law *law)
 {
     trk_curve_destroy(law->spring);
     trk_curve_destroy(law->damper);
 }
 
 /* For every law: table, its argument's range a bit beyond the table. */
-typedef void (*check)(const trk_law *law, trk_table table, double low, double high);
+typedef void (*check)(const trk_link_law *law, trk_table table, double low, double high);
 
 static void for_each(trk_context *context, check work)
 {
     for (trk_table table = 1; table <= TABLES; table++)
         for (trk_interpolation i = -1; i <= TRK_INTERPOLATION_LINEAR; i++) {
-            trk_law law = make(context, table, i);
+            trk_link_law law = make(context, table, i);
             const trk_curve *curve = law.damper ? law.damper : law.spring;
             const double *x = trk_curve_x(curve);
             double first = x[0], last = x[trk_curve_count(curve) - 1], more = 0.2 * (last - first);
@@ -64,7 +64,7 @@ static void for_each(trk_context *context, check work)
 }
 
 /* Distance to the nearest corner of the law, where a central difference means nothing. */
-static double to_corner(const trk_law *law, double x)
+static double to_corner(const trk_link_law *law, double x)
 {
     const trk_curve *curve = law->damper ? law->damper : law->spring;
     double nearest = INFINITY, place = law->damper ? x : x + law->spring_offset;
@@ -73,7 +73,7 @@ static double to_corner(const trk_law *law, double x)
     return nearest;
 }
 
-static void tangents_hold(const trk_law *law, trk_table table, double low, double high)
+static void tangents_hold(const trk_link_law *law, trk_table table, double low, double high)
 {
     double h = 1e-5 * (high - low);
     for (int k = 0; k < 400; k++) {
@@ -82,9 +82,11 @@ static void tangents_hold(const trk_law *law, trk_table table, double low, doubl
             continue;
         trk_law_hint hint = {0, 0};
         trk_law_point g;
-        trk_law_evaluate(law, e, v, &hint, &g);
-        double de = (trk_law_force(law, e + h, v) - trk_law_force(law, e - h, v)) / (2 * h);
-        double dv = (trk_law_force(law, e, v + h) - trk_law_force(law, e, v - h)) / (2 * h);
+        trk_link_law_evaluate(law, e, v, &hint, &g);
+        double de =
+            (trk_link_law_force(law, e + h, v) - trk_link_law_force(law, e - h, v)) / (2 * h);
+        double dv =
+            (trk_link_law_force(law, e, v + h) - trk_link_law_force(law, e, v - h)) / (2 * h);
         double scale = fabs(law->stiffness) + fabs(g.stiffness) + fabs(g.damping);
         assert_near(law->stiffness + g.stiffness, de, 1e-4 * scale);
         assert_near(law->damping + g.damping, dv, 1e-4 * scale);
@@ -97,7 +99,7 @@ static void tangents_are_derivatives(void **state)
     for_each(*state, tangents_hold);
 }
 
-static void hints_do_not_matter(const trk_law *law, trk_table table, double low, double high)
+static void hints_do_not_matter(const trk_link_law *law, trk_table table, double low, double high)
 {
     const trk_curve *curve = law->damper ? law->damper : law->spring;
     int32_t count = (int32_t)trk_curve_count(curve);
@@ -106,15 +108,16 @@ static void hints_do_not_matter(const trk_law *law, trk_table table, double low,
         double x = low + (high - low) * k / 59;
         trk_law_hint none = {0, 0};
         trk_law_point expected, got;
-        trk_law_evaluate(law, x, x, &none, &expected);
+        trk_link_law_evaluate(law, x, x, &none, &expected);
         for (int32_t h = 0; h <= count; h++) {
             trk_law_hint hint = {h, h};
             for (int again = 0; again < 2; again++) {
-                trk_law_evaluate(law, x, x, &hint, &got);
+                trk_link_law_evaluate(law, x, x, &hint, &got);
                 assert_memory_equal(&got, &expected, sizeof got);
             }
         }
-        assert_near(trk_law_force(law, x, x), law->stiffness * x + law->damping * x + got.force, 0);
+        assert_near(trk_link_law_force(law, x, x),
+                    law->stiffness * x + law->damping * x + got.force, 0);
     }
 }
 
@@ -124,7 +127,7 @@ static void results_do_not_depend_on_the_hint(void **state)
 }
 
 /* Work of g done on the link over e = a sin, v = a w cos, by the rectangle rule over a period. */
-static double cycle_work(const trk_law *law, double e_amplitude, double v_amplitude)
+static double cycle_work(const trk_link_law *law, double e_amplitude, double v_amplitude)
 {
     enum { STEPS = 2000 };
     double work = 0;
@@ -133,19 +136,19 @@ static double cycle_work(const trk_law *law, double e_amplitude, double v_amplit
         double angle = two_pi * (k + 0.5) / STEPS;
         double v = v_amplitude * cos(angle);
         trk_law_point g;
-        trk_law_evaluate(law, e_amplitude * sin(angle), v, &hint, &g);
+        trk_link_law_evaluate(law, e_amplitude * sin(angle), v, &hint, &g);
         work += g.force * v / STEPS;
     }
     return work;
 }
 
-static void cycles_take_energy(const trk_law *law, trk_table table, double low, double high)
+static void cycles_take_energy(const trk_link_law *law, trk_table table, double low, double high)
 {
     double reach = fmax(-low, high);
     for (int k = 1; k <= 20; k++) {
         double amplitude = reach * k / 20;
         double work = cycle_work(law, amplitude, amplitude);
-        double scale = fabs(trk_law_force(law, amplitude, amplitude)) * amplitude;
+        double scale = fabs(trk_link_law_force(law, amplitude, amplitude)) * amplitude;
         if (is_damper(table))
             assert_true(work > -1e-12 * scale);
         else
@@ -164,12 +167,12 @@ static void dampers_oppose_motion(void **state)
     for (trk_table table = 1; table <= TABLES; table++) {
         if (!is_damper(table))
             continue;
-        trk_law law = make(*state, table, -1);
+        trk_link_law law = make(*state, table, -1);
         law.rest = 0;
         law.stiffness = law.damping = 0;
         for (int k = -1000; k <= 1000; k++)
-            assert_true(trk_law_force(&law, 0, k * 0.003) * k >= 0);
-        assert_near(trk_law_force(&law, 0, 0), 0, 0);
+            assert_true(trk_link_law_force(&law, 0, k * 0.003) * k >= 0);
+        assert_near(trk_link_law_force(&law, 0, 0), 0, 0);
         drop(&law);
     }
 }

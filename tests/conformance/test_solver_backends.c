@@ -323,6 +323,73 @@ static void pivot_rule(void **state)
     trk_solver_destroy(solver);
 }
 
+/* Free chain: 4 k sin^2(j pi / 2n), j = 0 .. n - 1. Below each gap there are j of them (LINALG.6). */
+static void counts_negative_eigenvalues(void **state)
+{
+    trk_context *context = *state;
+    enum { N = 50 };
+    const double pi = 3.14159265358979323846;
+    double scale[N], x[N] = {1}, growth;
+    int32_t count, bad;
+    chain c;
+    assert_ok(context, chain_create(context, backend, N, 1, &c));
+    for (int i = 0; i < N; i++)
+        scale[i] = 20;
+    for (int j = 0; j <= N; j++) {
+        double middle = j == 0 ? -0.1 : j == N ? 40.1 : 40 * pow(sin((j - 0.5) * pi / (2 * N)), 2);
+        chain_assemble(&c, 10, -middle);
+        assert_ok(context, trk_solver_count_negative(c.solver, scale, &count, &growth));
+        assert_int_equal(count, j);
+        assert_true(growth > 0.1 && growth < 1e4);
+    }
+    assert_status(context, trk_solver_solve(c.solver, x), TRK_E_ARGUMENT);
+    chain_assemble(&c, 10, 1);
+    assert_ok(context, trk_solver_factorize(c.solver, &bad));
+    assert_ok(context, trk_solver_solve(c.solver, x));
+    double sum = 0; /* S 1 = 1, so that 1 . S^-1 e_0 = 1 */
+    for (int i = 0; i < N; i++)
+        sum += x[i];
+    assert_near(sum, 1, 1e-13);
+    chain_free(&c);
+}
+
+/* [0 1; 1 0] has a zero pivot and an eigenvalue of each sign; [1e-9 1; 1 0] grows. */
+static void tells_when_not_to_trust_a_count(void **state)
+{
+    trk_context *context = *state;
+    const int32_t row[] = {0, 1, 1}, column[] = {0, 0, 1};
+    const double scale[] = {1, 1};
+    int64_t slot[3];
+    int32_t count;
+    double growth;
+    trk_solver *solver = NULL;
+    assert_ok(context, trk_solver_create(context, backend, 2, 3, row, column, slot, &solver));
+    trk_solver_values(solver)[slot[1]] = 1;
+    assert_int_equal(trk_solver_count_negative(solver, scale, &count, &growth), TRK_E_SINGULAR);
+    trk_solver_values(solver)[slot[0]] = trk_solver_values(solver)[slot[2]] = 1e-9;
+    assert_ok(context, trk_solver_count_negative(solver, scale, &count, &growth));
+    assert_int_equal(count, 1);
+    assert_near(growth, 1e9, 1e2);
+    trk_solver_destroy(solver);
+}
+
+static void multiplies(void **state)
+{
+    trk_context *context = *state;
+    enum { N = 40 };
+    double x[N], y[N], wanted[N];
+    uint32_t seed = 3;
+    chain c;
+    assert_ok(context, chain_create(context, backend, N, 3, &c));
+    chain_assemble(&c, 7, 2);
+    for (int i = 0; i < N; i++)
+        x[i] = draw(&seed);
+    chain_multiply(&c, 7, 2, x, wanted);
+    trk_pattern_multiply(trk_solver_pattern(c.solver), trk_solver_values(c.solver), x, y);
+    assert_near(largest_difference(N, y, wanted), 0, 1e-13);
+    chain_free(&c);
+}
+
 static void rejects_bad_arguments(void **state)
 {
     trk_context *context = *state;
@@ -390,6 +457,9 @@ static int run(trk_backend which, const char *name)
         TEST(names_the_bad_unknown_and_recovers),
         TEST(free_chain_is_singular),
         TEST(pivot_rule),
+        TEST(counts_negative_eigenvalues),
+        TEST(tells_when_not_to_trust_a_count),
+        TEST(multiplies),
         TEST(rejects_bad_arguments),
         TEST(survives_lack_of_memory),
     };
