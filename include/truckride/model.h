@@ -11,7 +11,8 @@
  *     M = A^T diag(m) A                                               (MODEL.3)
  *
  * with road heights u, loads p on the force ports, weight w, and inertia rows A
- * of the bodies and point masses. Around a state,
+ * of the bodies, point masses and beams. Beams add rows to B behind those of the links; what is
+ * told "by link" leaves them out, matrices hold them. Around a state,
  * K = B^T diag(df/de) B and C = B^T diag(df/de') B                    (MODEL.4).
  *
  * Gravity. Without (the default) q is measured from static equilibrium: whatever
@@ -102,7 +103,8 @@ TRK_API void trk_model_get_static(const trk_model *model, double *out_q, double 
 TRK_API void trk_model_get_mass(const trk_model *model, double *out_mass);
 
 /**
- * Tangent damping C and stiffness K of (MODEL.4), row-major, coordinates x coordinates.
+ * Tangent damping C and stiffness K of (MODEL.4), row-major, coordinates x coordinates. Laws with
+ * memory stand at rest at q: friction sticks, and no air flows (LAW.6).
  *
  * @param q             [m, rad] state to linearise about; NULL for static equilibrium
  * @param v             [m/s, rad/s] NULL for rest
@@ -134,7 +136,8 @@ TRK_API trk_status trk_model_get_row(const trk_model *model, trk_part part, int3
 
 /**
  * Force f of every link [N, N m] at given elongation and rate (SPEC.3), as it acts
- * in (MODEL.2): without gravity less the force at rest.
+ * in (MODEL.2): without gravity less the force at rest. The memory of laws is that of a link
+ * that has stood at this elongation for long (LAW.5): friction carries nothing, air is in balance.
  *
  * @param e         [m, rad] length links
  * @param rate      [m/s, rad/s] length links

@@ -71,7 +71,7 @@ typedef struct trk_newmark_statistics {
     int64_t iterations;           /**< [-] Newton iterations in all steps                         */
     int32_t max_iterations;       /**< [-] most Newton iterations in one step                     */
     int32_t worst_link;           /**< [-] link with the largest residual in that step, 0: none   */
-    int32_t nonlinear_links;      /**< [-] links with a curve                                     */
+    int32_t nonlinear_links;      /**< [-] links with a curve or a law of their own               */
     int32_t coordinates;          /**< [-] size of the system                                     */
     int64_t factor_entries;       /**< [-] entries of the factor of the linear part               */
     trk_backend backend;          /**< [-] solver in use                                          */
@@ -99,7 +99,8 @@ TRK_API trk_status trk_newmark_create(trk_context *context, const trk_model *mod
 TRK_API void trk_newmark_destroy(trk_newmark *stepper);
 
 /**
- * Set time and state; the acceleration follows from equilibrium.
+ * Set time and state; the acceleration follows from equilibrium. Laws with memory are those of
+ * links that have stood at these elongations for long (LAW.5): friction carries nothing.
  *
  * @param time     [s]
  * @param q        [m, rad] length coordinates; NULL for static equilibrium

@@ -17,7 +17,8 @@
  * stability (RUNGEKUTTA.3), which creating a stepper checks: stiff links on small masses
  * are a case for trk_newmark. docs/theory/rungekutta.md says which to use when.
  *
- * Needs TRK_FEATURE_LAPACK, for that check.
+ * Needs TRK_FEATURE_LAPACK, for that check. Links with a law of their own (trk_link_options.law)
+ * are refused: take trk_newmark.
  *
  * Threads: one stepper per thread; steppers may share a model.
  */
@@ -48,8 +49,8 @@ TRK_API void trk_rungekutta_options_init(trk_rungekutta_options *options, size_t
  * size come from an Arnoldi iteration.
  *
  * @param out_step [s] infinite if nothing holds or damps the bodies
- * @param out_link the link that is stiffest on the masses it acts on (RUNGEKUTTA.4), 0: none;
- *                 NULL to skip
+ * @param out_link the link that is stiffest on the masses it acts on (RUNGEKUTTA.4), 0: none, or a
+ *                 beam is stiffer; NULL to skip
  * @retval TRK_E_ARGUMENT    a pointer is NULL
  * @retval TRK_E_CONVERGENCE the eigenvalues were not found
  * @retval TRK_E_UNSUPPORTED a build without LAPACK
@@ -68,6 +69,7 @@ TRK_API trk_status trk_rungekutta_find_limit(trk_context *context, const trk_mod
  * @retval TRK_E_OPTIONS     options come from a newer header and set an unknown field
  * @retval TRK_E_RANGE       step is not a finite number > 0, or beyond the limit of stability;
  *                           the message gives the limit and names the stiffest link
+ * @retval TRK_E_UNSUPPORTED a link has a law of its own; the message names it
  * Further errors as trk_rungekutta_find_limit().
  */
 TRK_API trk_status trk_rungekutta_create(trk_context *context, const trk_model *model,

@@ -15,16 +15,16 @@
  * A link has the elongation and the force
  *
  *     e = d . (u_to - u_from)                                         (SPEC.2)
- *     f = k e + c e' + a_s s(e + e_0) + a_d g(e')                     (SPEC.3)
+ *     f = k e + c e' + a_s s(e + e_0) + a_d g(e') + law(e, e', z)     (SPEC.3)
  *
  * with direction d, stiffness k, damping c, spring curve s, damper curve g and
- * their scales; f > 0 pulls the two ends together. u_from is zero on the ground
+ * their scales, and a law of its own (law.h); f > 0 pulls the two ends together. u_from is zero on the ground
  * and (0, 0, u) on a road input of height u.
  */
 #ifndef TRUCKRIDE_SPEC_H
 #define TRUCKRIDE_SPEC_H
 
-#include <truckride/curve.h>
+#include <truckride/law.h>
 
 /** The description of a vehicle. */
 typedef struct trk_spec trk_spec;
@@ -38,7 +38,8 @@ enum {
     TRK_PART_PORT       = 4, /**< point and direction where a load p(t) acts     */
     TRK_PART_SENSOR     = 5, /**< what a run records                             */
     TRK_PART_MASS       = 6, /**< point mass fixed to a body                     */
-    TRK_PART_COORDINATE = 7  /**< coordinate of a compiled model, "cab.pitch"    */
+    TRK_PART_COORDINATE = 7, /**< coordinate of a compiled model, "cab.pitch"    */
+    TRK_PART_BEAM       = 8  /**< beam between two bodies, with stiffness and mass */
 };
 
 /** Coordinates that a body may own; the others are fixed. Add them up. */
@@ -59,8 +60,9 @@ enum { TRK_MOTION_TRANSLATION = 0, TRK_MOTION_ROTATION = 1 };
 typedef struct trk_body_options {
     size_t  struct_size;   /**< [byte] set by trk_body_options_init()                        */
     int32_t freedoms;      /**< [-] sum of TRK_FREE_...; default TRK_FREE_Z                  */
-    double  mass;          /**< [kg] >= 0, > 0 if a translation is free; default 0           */
-    double  inertia[3];    /**< [kg m^2] about x, y, z through cg, >= 0, > 0 if free; default 0 */
+    double  mass;          /**< [kg] >= 0; compiling needs mass on every free translation,
+                                from here, point masses or beams; default 0                  */
+    double  inertia[3];    /**< [kg m^2] about x, y, z through cg, >= 0, likewise; default 0  */
     double  cg[3];         /**< [m] centre of gravity in the drawn position; default 0       */
 } trk_body_options;
 
@@ -81,7 +83,34 @@ typedef struct trk_link_options {
     double           spring_scale;  /**< [-] a_s >= 0; default 1                              */
     double           damper_scale;  /**< [-] a_d >= 0; default 1                              */
     double           spring_offset; /**< [m or rad] e_0, place on the curve at e = 0; default 0 */
+    const trk_law   *law;           /**< [-] acts beside the others, copied; default NULL: none */
 } trk_link_options;
+
+/**
+ * Options of trk_spec_add_beam(): a straight beam (SPEC.6), by its stiffness and mass per length. The
+ * functions trk_beam_options_...() fill them in from a section. Its axis runs from from_point to
+ * to_point; `up` and the axis span the plane in which bending is about the section's y axis.
+ */
+typedef struct trk_beam_options {
+    size_t  struct_size;      /**< [byte] set by trk_beam_options_init()                        */
+    int32_t from_body;        /**< [-] body id; 0 (default): clamped to the ground              */
+    int32_t to_body;          /**< [-] another body id; 0 (default) is the ground               */
+    double  from_point[3];    /**< [m] fixed to from_body; default 0                            */
+    double  to_point[3];      /**< [m] fixed to to_body; default 0                              */
+    double  up[3];            /**< [-] z axis of the section, not along the beam; default (0, 0, 1) */
+    double  axial;            /**< [N] E A >= 0; default 0                                      */
+    double  torsion;          /**< [N m^2] G J >= 0; default 0                                  */
+    double  bending_y;        /**< [N m^2] E I_y >= 0, deflection along z; default 0            */
+    double  bending_z;        /**< [N m^2] E I_z >= 0, deflection along y; default 0            */
+    double  shear_y;          /**< [N] G A k_y of deflection along y; default 0: no shear (Euler-Bernoulli), > 0 Timoshenko */
+    double  shear_z;          /**< [N] G A k_z of deflection along z; default 0: no shear       */
+    double  mass_per_length;  /**< [kg/m] >= 0; default 0                                       */
+    double  inertia_x;        /**< [kg m] >= 0, rotary inertia per length about the axis; default 0 */
+    double  inertia_y;        /**< [kg m] >= 0, about y of the section; default 0               */
+    double  inertia_z;        /**< [kg m] >= 0, about z of the section; default 0               */
+    double  mass_damping;     /**< [1/s] >= 0, alpha of Rayleigh damping C = alpha M + beta K; default 0 */
+    double  stiffness_damping; /**< [s] >= 0, beta; default 0                                   */
+} trk_beam_options;
 
 /** What a sensor measures. */
 typedef int32_t trk_quantity;
@@ -117,11 +146,14 @@ typedef struct trk_port_options {
 /** What of a part is varied: by trk_spec_vary(), a calibration or a study. */
 typedef int32_t trk_field;
 enum {
-    TRK_FIELD_STIFFNESS    = 1, /**< of a link: stiffness and scale of the spring curve   */
-    TRK_FIELD_DAMPING      = 2, /**< of a link: damping and scale of the damper curve     */
+    TRK_FIELD_STIFFNESS    = 1, /**< of a link: stiffness, scale of the spring curve, and of a tire or stops law */
+    TRK_FIELD_DAMPING      = 2, /**< of a link: damping, scale of the damper curve, and of a tire law */
     TRK_FIELD_MASS         = 3, /**< of a body: mass                                      */
     TRK_FIELD_INERTIA      = 4, /**< of a body: moments of inertia about all axes         */
-    TRK_FIELD_MASS_INERTIA = 5  /**< of a body: mass and moments of inertia               */
+    TRK_FIELD_MASS_INERTIA = 5, /**< of a body: mass and moments of inertia               */
+    TRK_FIELD_FRICTION     = 6, /**< of a link: friction forces of its leaf, friction or seal law */
+    TRK_FIELD_APPROACH     = 7, /**< of a link: approach lengths of its leaf law          */
+    TRK_FIELD_BENDING      = 8  /**< of a beam: all its stiffnesses                       */
 };
 
 /** What the number that varies a field means. */
@@ -134,6 +166,7 @@ enum {
 /** Set every field to its default. Call as trk_X_options_init(&o, sizeof o). */
 TRK_API void trk_body_options_init(trk_body_options *options, size_t struct_size);
 TRK_API void trk_link_options_init(trk_link_options *options, size_t struct_size);
+TRK_API void trk_beam_options_init(trk_beam_options *options, size_t struct_size);
 TRK_API void trk_sensor_options_init(trk_sensor_options *options, size_t struct_size);
 TRK_API void trk_port_options_init(trk_port_options *options, size_t struct_size);
 
@@ -210,6 +243,17 @@ TRK_API trk_status trk_spec_add_link(trk_spec *spec, const char *name,
                                      const trk_link_options *options,
                                      int32_t *out_link) TRK_MUST_CHECK;
 
+/**
+ * Add a beam. Its two bodies may be nodes without mass of their own, if the beam gives them some.
+ *
+ * @retval TRK_E_ARGUMENT an id does not exist, or both ends are one body or the ground
+ * @retval TRK_E_RANGE    a value is not finite or negative, the length is zero, or `up` runs along the beam
+ * Further arguments and errors as trk_spec_add_body().
+ */
+TRK_API trk_status trk_spec_add_beam(trk_spec *spec, const char *name,
+                                     const trk_beam_options *options,
+                                     int32_t *out_beam) TRK_MUST_CHECK;
+
 /** Add a force port. Arguments and errors as trk_spec_add_link(). */
 TRK_API trk_status trk_spec_add_port(trk_spec *spec, const char *name,
                                      const trk_port_options *options,
@@ -230,6 +274,8 @@ TRK_API trk_status trk_spec_get_body(const trk_spec *spec, int32_t body,
                                      trk_body_options *out_options) TRK_MUST_CHECK;
 TRK_API trk_status trk_spec_get_link(const trk_spec *spec, int32_t link,
                                      trk_link_options *out_options) TRK_MUST_CHECK;
+TRK_API trk_status trk_spec_get_beam(const trk_spec *spec, int32_t beam,
+                                     trk_beam_options *out_options) TRK_MUST_CHECK;
 TRK_API trk_status trk_spec_get_sensor(const trk_spec *spec, int32_t sensor,
                                        trk_sensor_options *out_options) TRK_MUST_CHECK;
 TRK_API trk_status trk_spec_get_port(const trk_spec *spec, int32_t port,
@@ -257,6 +303,8 @@ TRK_API trk_status trk_spec_get_mass(const trk_spec *spec, int32_t mass, int32_t
 /** Replace the options of a part; on failure it stays as it was. Errors as the add functions. */
 TRK_API trk_status trk_spec_set_body(trk_spec *spec, int32_t body,
                                      const trk_body_options *options) TRK_MUST_CHECK;
+TRK_API trk_status trk_spec_set_beam(trk_spec *spec, int32_t beam,
+                                     const trk_beam_options *options) TRK_MUST_CHECK;
 TRK_API trk_status trk_spec_set_link(trk_spec *spec, int32_t link,
                                      const trk_link_options *options) TRK_MUST_CHECK;
 

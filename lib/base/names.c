@@ -57,6 +57,17 @@ trk_status trk_names_add(trk_context *context, trk_names *names, const char *wha
     return TRK_OK;
 }
 
+/* The last name stands at the end of every chain of places that it is in: no chain breaks. */
+void trk_names_shorten(trk_context *context, trk_names *names, int32_t count)
+{
+    while (names->count > count) {
+        char *text = names->text[names->count - 1];
+        names->bucket[place_of(names, text)] = 0;
+        names->count--;
+        trk_free(context, text);
+    }
+}
+
 int32_t trk_names_find(const trk_names *names, const char *name)
 {
     return name && names->buckets ? names->bucket[place_of(names, name)] : 0;

@@ -17,6 +17,9 @@ typedef struct trk_names {
 trk_status trk_names_add(trk_context *context, trk_names *names, const char *what,
                          const char *name);
 
+/* Take away the last names, so that `count` are left. */
+void trk_names_shorten(trk_context *context, trk_names *names, int32_t count);
+
 /* Id of a name, 0 if absent; text of an id, NULL if absent. */
 int32_t trk_names_find(const trk_names *names, const char *name);
 const char *trk_names_text(const trk_names *names, int32_t id);

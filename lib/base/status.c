@@ -41,6 +41,9 @@ int32_t trk_has_feature(trk_feature feature)
 #ifdef TRUCKRIDE_WITH_JSON
     case TRK_FEATURE_JSON: return 1;
 #endif
+#ifdef TRUCKRIDE_WITH_ARPACK
+    case TRK_FEATURE_ARPACK: return 1;
+#endif
     default: return 0;
     }
 }

@@ -32,7 +32,7 @@ static void set(const filling *f, double *array, int64_t index, double value)
 static trk_status find_basis(const filling *f, trk_context *context, bool *out_fits)
 {
     trk_model stiffened = *f->model;
-    trk_law *laws = trk_new(context, f->s->links, sizeof *laws);
+    trk_link_law *laws = trk_new(context, f->s->links, sizeof *laws);
     if (!laws)
         return TRK_E_MEMORY;
     bool fits = true;
@@ -87,7 +87,7 @@ static void set_linear(const filling *f)
     for (int32_t k = 0; k < s->links; k++)
         add_modal(f, &f->model->links, k, 1, f->rows + (int64_t)k * n);
     for (int32_t k = 0; k < s->rows; k++) {
-        const trk_law *law = &f->model->laws[s->row_link[k]];
+        const trk_link_law *law = &f->model->laws[s->row_link[k]];
         set_row(f, s->row, k, 1, f->rows + (int64_t)s->row_link[k] * n);
         set(f, s->row_damping, k, law->damping);
         if (k < s->road_links) {
@@ -137,7 +137,7 @@ static void set_tables(const filling *f)
     double floor = 0;
     for (int32_t t = 0; t < s->tables; t++) {
         const trk_lanes_table *table = &s->table[t];
-        const trk_law *law = &f->model->laws[table->link];
+        const trk_link_law *law = &f->model->laws[table->link];
         const double *row = f->rows + (int64_t)table->link * s->n;
         double others = 0, rest = table->first ? law->rest : 0,
                kappa = table->of_rate ? s->gh : s->bh2;
@@ -176,7 +176,7 @@ static void set_sensors(const filling *f)
             memset(f->column, 0, (size_t)s->n * sizeof *f->column);
             add_modal(f, &f->model->sensors, sensor->id, 1, f->column);
         } else {
-            const trk_law *law = &f->model->laws[link];
+            const trk_link_law *law = &f->model->laws[link];
             values = f->rows + (int64_t)link * s->n;
             if (sensor->row[0] >= 0 && sensor->row[1] >= 0) { /* a force */
                 factor[0] = law->stiffness;
@@ -205,7 +205,7 @@ static void set_state(const filling *f, const double *height, const double *velo
         double e = trk_rows_dot(&model->links, k, model->static_q) -
                    trk_rows_dot(&model->roads, k, height);
         double rate = -trk_rows_dot(&model->roads, k, velocity);
-        trk_rows_add(&model->links, k, -trk_law_force(&model->laws[k], e, rate), f->column);
+        trk_rows_add(&model->links, k, -trk_link_law_force(&model->laws[k], e, rate), f->column);
         for (int32_t t = 0; t < s->tables; t++) {
             const trk_lanes_curve *c = &s->curve[t * s->width + f->lane];
             if (s->table[t].link != k)

@@ -36,9 +36,10 @@ static int32_t most_rows(const trk_model *model)
 
 bool trk_lanes_fit(const trk_model *model, const trk_newmark_options *options)
 {
-    return options->alpha_f == 0 && options->alpha_m == 0 && options->beta > 0 &&
-           options->backend != TRK_BACKEND_SPARSE && model->n <= TRK_LANES_MODES &&
-           most_rows(model) <= TRK_LANES_ROWS && model->ports.count <= TRK_LANES_ROWS &&
+    return trk_model_find_law(model) < 0 && options->alpha_f == 0 && options->alpha_m == 0 &&
+           options->beta > 0 && options->backend != TRK_BACKEND_SPARSE &&
+           model->n <= TRK_LANES_MODES && most_rows(model) <= TRK_LANES_ROWS &&
+           model->ports.count <= TRK_LANES_ROWS &&
            count_tables(model, true) + count_tables(model, false) <= TRK_LANES_TABLES;
 }
 
@@ -46,7 +47,7 @@ static void list_tables(trk_lanes *s, const trk_model *model)
 {
     for (int32_t of_rate = 1; of_rate >= 0; of_rate--) {
         for (int32_t k = 0; k < s->links; k++) {
-            const trk_law *law = &model->laws[k];
+            const trk_link_law *law = &model->laws[k];
             if (of_rate ? law->damper : law->spring)
                 s->table[s->tables++] =
                     (trk_lanes_table){k, of_rate, !of_rate || !law->spring, road_of(model, k)};

@@ -37,7 +37,8 @@ static trk_status measure(const trk_batch *batch, size_t *out_size)
     const trk_model *model = batch->models[0];
     trk_status status = measure_stepper(batch, out_size);
     size_t n = (size_t)model->n, links = (size_t)model->links.count,
-           filling = (4 * n * n + 4 * n + 2 * links * n) * sizeof(double) + links * sizeof(trk_law);
+           filling =
+               (4 * n * n + 4 * n + 2 * links * n) * sizeof(double) + links * sizeof(trk_link_law);
     *out_size = 2 * *out_size + STEPPER_MARGIN + (batch->kernel ? filling : 0);
     return status;
 }

@@ -9,6 +9,7 @@ static const struct {
     const char *plural, *name;
 } kinds[] = {{TRK_PART_COORDINATE, "coordinates", "coordinate"},
              {TRK_PART_LINK, "links", "link"},
+             {TRK_PART_BEAM, "beams", "beam"},
              {TRK_PART_ROAD, "roads", "road"},
              {TRK_PART_PORT, "force ports", "force port"},
              {TRK_PART_SENSOR, "sensors", "sensor"}};
@@ -48,8 +49,13 @@ static const char *has(const void *curve)
 
 static trk_status check_links(trk_context *context, const trk_model *a, const trk_model *b)
 {
-    for (int32_t k = 0; k < a->links.count; k++) {
-        const trk_law *x = &a->laws[k], *y = &b->laws[k];
+    if (a->links.count != b->links.count)
+        return trk_fail(context, TRK_E_ARGUMENT,
+                        "its links and beams have %d rows, those of variant 0 have %d: a stiffness "
+                        "or damping of a beam is zero in one of them",
+                        b->links.count, a->links.count);
+    for (int32_t k = 0; k < trk_model_named_links(a); k++) {
+        const trk_link_law *x = &a->laws[k], *y = &b->laws[k];
         const char *name = trk_model_part_name(b, TRK_PART_LINK, k + 1);
         if (!x->spring != !y->spring)
             return trk_fail(context, TRK_E_ARGUMENT,
@@ -59,6 +65,10 @@ static trk_status check_links(trk_context *context, const trk_model *a, const tr
             return trk_fail(context, TRK_E_ARGUMENT,
                             "damper curve of link '%s': it %s, variant 0 %s", name, has(y->damper),
                             has(x->damper));
+        if (trk_law_get_kind(x->law) != trk_law_get_kind(y->law))
+            return trk_fail(context, TRK_E_ARGUMENT,
+                            "law of link '%s': it is of kind %d, in variant 0 of kind %d (0: none)",
+                            name, trk_law_get_kind(y->law), trk_law_get_kind(x->law));
         if (!same_road(&a->roads, &b->roads, k))
             return trk_fail(context, TRK_E_ARGUMENT,
                             "link '%s' stands on another road than in variant 0", name);

@@ -13,7 +13,7 @@ trk_status trk_fit_apply(const trk_calibration *calibration, const double *u, tr
         const trk_fit_action *a = &calibration->actions[k];
         double scale = exp(a->power * u[a->parameter]) / a->reference;
         status = trk_spec_set_field(spec, part_of ? part_of[k] : a->part, a->field,
-                                    TRK_MEANING_FACTOR, scale, calibration->base, a->part, true);
+                                    TRK_MEANING_FACTOR, scale, calibration->base, a->part);
     }
     return status;
 }

@@ -174,8 +174,7 @@ trk_status trk_calibration_act_on(trk_calibration *calibration, int32_t paramete
     if (status == TRK_OK && calibration->action_count == before)
         status = trk_fail(context, TRK_E_NAME, "parameter '%s': no %s of '%s' is called '%s'",
                           trk_names_text(&calibration->parameter_names, parameter),
-                          kind == TRK_PART_LINK ? "link" : "body", trk_spec_name(calibration->base),
-                          pattern);
+                          trk_part_word(kind), trk_spec_name(calibration->base), pattern);
     if (status != TRK_OK) {
         calibration->action_count = before;
         return status;

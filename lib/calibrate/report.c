@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The answer: numbers one by one, in words, and put into a spec. */
 #include "calibrate/calibrate.h"
+#include "spec/vary.h"
 
 #include <math.h>
 #include <string.h>
@@ -141,12 +142,12 @@ static trk_status find_parts(const trk_calibration *c, const trk_spec *spec, int
 {
     for (int32_t k = 0; k < c->action_count; k++) {
         const trk_fit_action *a = &c->actions[k];
-        trk_part kind = a->field <= TRK_FIELD_DAMPING ? TRK_PART_LINK : TRK_PART_BODY;
+        trk_part kind = trk_field_part(a->field);
         const char *name = trk_spec_part_name(c->base, kind, a->part);
         part_of[k] = trk_spec_find(spec, kind, name);
         if (!part_of[k])
             return trk_fail(c->context, TRK_E_NAME, "'%s' has no %s '%s'", trk_spec_name(spec),
-                            kind == TRK_PART_LINK ? "link" : "body", name);
+                            trk_part_word(kind), name);
     }
     return TRK_OK;
 }

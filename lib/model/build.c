@@ -1,27 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* Turn a spec into coordinates and rows. */
-#include "model/model.h"
-
-#include "spec/spec.h"
+#include "model/build.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* A row being written: at most the freedoms of two bodies. */
-typedef struct open_row {
-    int32_t count;
-    int32_t column[2 * TRK_FREEDOMS];
-    double value[2 * TRK_FREEDOMS];
-} open_row;
-
 /*
  * Add sign times the motion of a body point along a unit direction d (SPEC.1):
  * d . (u_cg + theta x r) = d . u_cg + (r x d) . theta, with r = point - cg.
  */
-static void add_motion(const trk_model *model, const trk_spec *spec, int32_t body,
-                       trk_motion motion, const double *point, const double *d, double sign,
-                       open_row *row)
+void trk_open_row_add(const trk_model *model, const trk_spec *spec, int32_t body, trk_motion motion,
+                      const double *point, const double *d, double sign, trk_open_row *row)
 {
     double coefficient[TRK_FREEDOMS] = {0};
     const double *cg = spec->bodies[body - 1].cg;
@@ -36,7 +26,7 @@ static void add_motion(const trk_model *model, const trk_spec *spec, int32_t bod
     }
     for (int k = 0; k < TRK_FREEDOMS; k++) {
         int32_t column = model->coordinate[body - 1][k];
-        if (column < 0)
+        if (column < 0 || coefficient[k] == 0)
             continue;
         row->column[row->count] = column;
         row->value[row->count++] = sign * coefficient[k];
@@ -50,7 +40,7 @@ static void unit_vector(const double *direction, double *out)
         out[k] = direction[k] / length;
 }
 
-static trk_status append(trk_context *context, trk_rows *rows, const open_row *row)
+trk_status trk_open_row_append(trk_context *context, trk_rows *rows, const trk_open_row *row)
 {
     return trk_rows_append(context, rows, row->count, row->column, row->value);
 }
@@ -80,21 +70,20 @@ static trk_status number_coordinates(trk_model *model, const trk_spec *spec)
     return TRK_OK;
 }
 
-/* One inertia row; its weight if it is a vertical one. */
-static trk_status add_inertia(trk_model *model, const open_row *row, double mass, bool vertical)
+trk_status trk_model_add_inertia(trk_model *model, const trk_open_row *row, double mass,
+                                 double lift)
 {
     if (row->count == 0 || mass == 0)
         return TRK_OK;
-    trk_status status = append(model->context, &model->inertia, row);
+    trk_status status = trk_open_row_append(model->context, &model->inertia, row);
     if (status == TRK_OK)
         status = trk_grow(model->context, (void **)&model->mass, &model->mass_capacity,
                           model->inertia.count, sizeof *model->mass);
     if (status != TRK_OK)
         return status;
     model->mass[model->inertia.count - 1] = mass;
-    if (vertical)
-        trk_rows_add(&model->inertia, model->inertia.count - 1, -mass * model->gravity,
-                     model->weight);
+    trk_rows_add(&model->inertia, model->inertia.count - 1, -mass * lift * model->gravity,
+                 model->weight);
     return TRK_OK;
 }
 
@@ -106,59 +95,66 @@ static trk_status build_inertia(trk_model *model, const trk_spec *spec)
     for (int32_t b = 1; b <= trk_spec_count(spec, TRK_PART_BODY); b++) {
         const trk_body_options *body = &spec->bodies[b - 1];
         for (int k = 0; status == TRK_OK && k < TRK_FREEDOMS; k++) {
-            open_row row = {0};
-            add_motion(model, spec, b, k < 3 ? TRK_MOTION_TRANSLATION : TRK_MOTION_ROTATION,
-                       body->cg, axis[k % 3], 1, &row);
-            status = add_inertia(model, &row, k < 3 ? body->mass : body->inertia[k - 3], k == 2);
+            trk_open_row row = {0};
+            trk_open_row_add(model, spec, b, k < 3 ? TRK_MOTION_TRANSLATION : TRK_MOTION_ROTATION,
+                             body->cg, axis[k % 3], 1, &row);
+            status = trk_model_add_inertia(model, &row, k < 3 ? body->mass : body->inertia[k - 3],
+                                           k == 2);
         }
     }
     for (int32_t m = 0; m < trk_spec_count(spec, TRK_PART_MASS); m++) {
         const trk_point_mass *mass = &spec->masses[m];
         for (int k = 0; status == TRK_OK && k < 3; k++) {
-            open_row row = {0};
-            add_motion(model, spec, mass->body, TRK_MOTION_TRANSLATION, mass->point, axis[k], 1,
-                       &row);
-            status = add_inertia(model, &row, mass->mass, k == 2);
+            trk_open_row row = {0};
+            trk_open_row_add(model, spec, mass->body, TRK_MOTION_TRANSLATION, mass->point, axis[k],
+                             1, &row);
+            status = trk_model_add_inertia(model, &row, mass->mass, k == 2);
         }
     }
     return status;
 }
 
-static trk_status build_law(trk_model *model, const trk_link_options *link, trk_law *law)
+static trk_status build_law(trk_model *model, const trk_link_options *link, trk_link_law *law)
 {
-    *law = (trk_law){.stiffness = link->stiffness,
-                     .damping = link->damping,
-                     .spring_scale = link->spring_scale,
-                     .damper_scale = link->damper_scale,
-                     .spring_offset = link->spring_offset};
+    *law = (trk_link_law){.stiffness = link->stiffness,
+                          .damping = link->damping,
+                          .spring_scale = link->spring_scale,
+                          .damper_scale = link->damper_scale,
+                          .spring_offset = link->spring_offset};
     trk_status status = TRK_OK;
     if (link->spring_curve)
         status = trk_curve_copy(model->context, link->spring_curve, &law->spring);
     if (status == TRK_OK && link->damper_curve)
         status = trk_curve_copy(model->context, link->damper_curve, &law->damper);
+    if (status == TRK_OK && link->law)
+        status = trk_law_copy(model->context, link->law, &law->law);
     if (status == TRK_OK && model->gravity == 0)
-        law->rest = trk_law_force(law, 0, 0);
+        law->rest = trk_link_law_force(law, 0, 0);
     return status;
 }
 
 static trk_status build_links(trk_model *model, const trk_spec *spec)
 {
     int32_t count = trk_spec_count(spec, TRK_PART_LINK);
-    model->laws = trk_new(model->context, count, sizeof *model->laws);
+    model->laws =
+        trk_new(model->context, count + trk_model_most_beam_rows(spec), sizeof *model->laws);
     model->link_motion = trk_new(model->context, count, sizeof *model->link_motion);
     model->nonlinear = trk_new(model->context, count, sizeof *model->nonlinear);
-    if (!model->laws || !model->link_motion || !model->nonlinear)
+    model->memory =
+        trk_new(model->context, count + trk_model_most_beam_rows(spec) + 1, sizeof *model->memory);
+    if (!model->laws || !model->link_motion || !model->nonlinear || !model->memory)
         return TRK_E_MEMORY;
     for (int32_t k = 0; k < count; k++) {
         const trk_link_options *link = &spec->links[k];
         double d[3];
         unit_vector(link->direction, d);
-        open_row row = {0};
+        trk_open_row row = {0};
         if (link->to_body)
-            add_motion(model, spec, link->to_body, link->motion, link->to_point, d, 1, &row);
+            trk_open_row_add(model, spec, link->to_body, link->motion, link->to_point, d, 1, &row);
         if (link->from_body)
-            add_motion(model, spec, link->from_body, link->motion, link->from_point, d, -1, &row);
-        trk_status status = append(model->context, &model->links, &row);
+            trk_open_row_add(model, spec, link->from_body, link->motion, link->from_point, d, -1,
+                             &row);
+        trk_status status = trk_open_row_append(model->context, &model->links, &row);
         if (status == TRK_OK)
             status = trk_rows_append(model->context, &model->roads, link->from_road ? 1 : 0,
                                      &(int32_t){link->from_road - 1}, &d[2]);
@@ -167,7 +163,8 @@ static trk_status build_links(trk_model *model, const trk_spec *spec)
         if (status != TRK_OK)
             return status;
         model->link_motion[k] = link->motion;
-        if (!trk_law_is_linear(&model->laws[k]))
+        model->memory[k + 1] = model->memory[k] + trk_link_law_states(&model->laws[k]);
+        if (!trk_link_law_is_linear(&model->laws[k]))
             model->nonlinear[model->nonlinear_count++] = k;
     }
     return TRK_OK;
@@ -184,10 +181,10 @@ static trk_status build_ports(trk_model *model, const trk_spec *spec)
         const trk_port_options *port = &spec->ports[k];
         double d[3];
         unit_vector(port->direction, d);
-        open_row row = {0};
-        add_motion(model, spec, port->body, port->motion, port->point, d, 1, &row);
+        trk_open_row row = {0};
+        trk_open_row_add(model, spec, port->body, port->motion, port->point, d, 1, &row);
         model->port_motion[k] = port->motion;
-        status = append(model->context, &model->ports, &row);
+        status = trk_open_row_append(model->context, &model->ports, &row);
     }
     return status;
 }
@@ -204,16 +201,16 @@ static trk_status build_sensors(trk_model *model, const trk_spec *spec)
     for (int32_t k = 0; status == TRK_OK && k < count; k++) {
         const trk_sensor_options *sensor = &spec->sensors[k];
         bool of_body = sensor->quantity <= TRK_QUANTITY_ACCELERATION;
-        open_row row = {0};
+        trk_open_row row = {0};
         if (of_body) {
             double d[3];
             unit_vector(sensor->direction, d);
-            add_motion(model, spec, sensor->body, sensor->motion, sensor->point, d, 1, &row);
+            trk_open_row_add(model, spec, sensor->body, sensor->motion, sensor->point, d, 1, &row);
         }
         model->sensor_quantity[k] = sensor->quantity;
         model->sensor_link[k] = of_body ? -1 : sensor->link - 1;
         model->sensor_motion[k] = of_body ? sensor->motion : model->link_motion[sensor->link - 1];
-        status = append(model->context, &model->sensors, &row);
+        status = trk_open_row_append(model->context, &model->sensors, &row);
     }
     return status;
 }
@@ -247,13 +244,16 @@ trk_status trk_model_build(trk_model *model, const trk_spec *spec)
         return status;
     model->weight = trk_new(model->context, model->n, sizeof *model->weight);
     model->static_q = trk_new(model->context, model->n, sizeof *model->static_q);
-    model->static_force =
-        trk_new(model->context, trk_spec_count(spec, TRK_PART_LINK), sizeof *model->static_force);
+    model->static_force = trk_new(
+        model->context, trk_spec_count(spec, TRK_PART_LINK) + trk_model_most_beam_rows(spec),
+        sizeof *model->static_force);
     if (!model->weight || !model->static_q || !model->static_force)
         return TRK_E_MEMORY;
     status = build_inertia(model, spec);
     if (status == TRK_OK)
         status = build_links(model, spec);
+    if (status == TRK_OK)
+        status = trk_model_build_beams(model, spec);
     if (status == TRK_OK)
         status = build_ports(model, spec);
     if (status == TRK_OK)

@@ -7,18 +7,27 @@
 
 #include <math.h>
 
+static const char *name_of(const trk_model *model, trk_part part, int32_t row,
+                           const char **out_word)
+{
+    *out_word = trk_part_word(part);
+    return part == TRK_PART_LINK ? trk_model_link_name(model, row, out_word)
+                                 : trk_names_text(&model->names[part], row + 1);
+}
+
 /* Lever arms are differences of points: huge ones overflow. */
 static trk_status check_rows(const trk_model *model, const trk_rows *rows, trk_part part)
 {
     for (int32_t r = 0; r < rows->count; r++)
         for (int64_t k = rows->start[r]; k < rows->start[r + 1]; k++)
-            if (!isfinite(rows->value[k]))
+            if (!isfinite(rows->value[k])) {
+                const char *word, *name = name_of(model, part, r, &word);
                 return trk_fail(
                     model->context, TRK_E_RANGE,
-                    "%s '%s': the lever arm about '%s' is %g; a finite number is needed",
-                    trk_part_word(part), trk_names_text(&model->names[part], r + 1),
-                    trk_names_text(&model->names[TRK_PART_COORDINATE], rows->column[k] + 1),
+                    "%s '%s': the lever arm about '%s' is %g; a finite number is needed", word,
+                    name, trk_names_text(&model->names[TRK_PART_COORDINATE], rows->column[k] + 1),
                     rows->value[k]);
+            }
     return TRK_OK;
 }
 
@@ -47,20 +56,34 @@ trk_status trk_model_check_numbers(const trk_model *model)
         status = check_rows(model, &model->sensors, TRK_PART_SENSOR);
     if (status == TRK_OK)
         status = check_inertia(model);
-    for (int32_t k = 0; status == TRK_OK && k < model->links.count; k++)
-        if (!isfinite(trk_law_force(&model->laws[k], 0, 0)))
+    for (int32_t k = trk_model_named_links(model); status == TRK_OK && k < model->links.count; k++)
+        if (!isfinite(model->laws[k].stiffness) || !isfinite(model->laws[k].damping)) {
+            const char *word, *name = trk_model_link_name(model, k, &word);
             status = trk_fail(model->context, TRK_E_RANGE,
-                              "link '%s': the force of its curves at e = 0 is not a finite number",
-                              trk_names_text(&model->names[TRK_PART_LINK], k + 1));
+                              "%s '%s': its stiffness %g or damping %g is not a finite number",
+                              word, name, model->laws[k].stiffness, model->laws[k].damping);
+        }
+    for (int32_t k = 0; status == TRK_OK && k < trk_model_named_links(model); k++)
+        if (!isfinite(trk_link_law_force(&model->laws[k], 0, 0)))
+            status = trk_fail(
+                model->context, TRK_E_RANGE,
+                "link '%s': the force of its curves or law at e = 0 is not a finite number",
+                trk_names_text(&model->names[TRK_PART_LINK], k + 1));
     return status;
 }
 
 /* Can the link ever carry a force? */
 static bool carries(const trk_link_options *link)
 {
-    return link->stiffness != 0 || link->damping != 0 ||
+    return link->stiffness != 0 || link->damping != 0 || link->law ||
            (link->spring_curve && link->spring_scale != 0) ||
            (link->damper_curve && link->damper_scale != 0);
+}
+
+/* Does the beam resist some deformation? */
+static bool is_stiff(const trk_beam_options *beam)
+{
+    return beam->axial > 0 || beam->torsion > 0 || beam->bending_y > 0 || beam->bending_z > 0;
 }
 
 /* Root of a union-find tree, shortening the way. */
@@ -84,6 +107,10 @@ static trk_status check_bodies(const trk_model *model, const trk_spec *spec)
         if (carries(&spec->links[k]))
             parent[root_of(parent, spec->links[k].from_body)] =
                 root_of(parent, spec->links[k].to_body);
+    for (int32_t k = 0; k < trk_spec_count(spec, TRK_PART_BEAM); k++)
+        if (is_stiff(&spec->beams[k]))
+            parent[root_of(parent, spec->beams[k].from_body)] =
+                root_of(parent, spec->beams[k].to_body);
     trk_status status = TRK_OK;
     for (int32_t b = 1; status == TRK_OK && b <= bodies; b++)
         if (root_of(parent, b) != root_of(parent, 0))
@@ -103,7 +130,9 @@ static trk_status check_coordinates(const trk_model *model, const trk_spec *spec
         return TRK_E_MEMORY;
     for (int32_t k = 0; k < model->links.count; k++)
         for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++)
-            held[model->links.column[j]] |= carries(&spec->links[k]);
+            held[model->links.column[j]] |= k < trk_model_named_links(model)
+                                                ? carries(&spec->links[k])
+                                                : model->laws[k].stiffness != 0;
     trk_status status = TRK_OK;
     for (int32_t i = 0; status == TRK_OK && i < model->n; i++)
         if (!held[i])
@@ -162,12 +191,13 @@ trk_status trk_model_fail_singular(trk_context *context, const trk_model *model,
                                    const double *s, int32_t coordinate)
 {
     const char *at = trk_names_text(&model->names[TRK_PART_COORDINATE], coordinate + 1);
-    int32_t link = trk_model_blame(model, s, coordinate);
+    const int32_t link = trk_model_blame(model, s, coordinate);
     if (link < 0)
         return trk_fail(context, TRK_E_SINGULAR,
                         "the %s is not positive definite: nothing holds coordinate '%s'", what, at);
+    const char *word, *name = trk_model_link_name(model, link, &word);
     return trk_fail(
         context, TRK_E_SINGULAR,
-        "the %s is not positive definite at coordinate '%s': link '%s' adds %g, a negative value",
-        what, at, trk_names_text(&model->names[TRK_PART_LINK], link + 1), s[link]);
+        "the %s is not positive definite at coordinate '%s': %s '%s' adds %g, a negative value",
+        what, at, word, name, s[link]);
 }

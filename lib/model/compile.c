@@ -64,19 +64,21 @@ void trk_model_destroy(trk_model *model)
     for (int32_t k = 0; model->laws && k < model->names[TRK_PART_LINK].count; k++) {
         trk_curve_destroy(model->laws[k].spring);
         trk_curve_destroy(model->laws[k].damper);
+        trk_law_destroy(model->laws[k].law);
     }
-    for (trk_part part = 0; part <= TRK_PART_COORDINATE; part++)
+    for (trk_part part = 0; part <= TRK_MODEL_PARTS; part++)
         trk_names_clear(context, &model->names[part]);
     trk_rows_clear(context, &model->inertia);
     trk_rows_clear(context, &model->links);
     trk_rows_clear(context, &model->roads);
     trk_rows_clear(context, &model->ports);
     trk_rows_clear(context, &model->sensors);
-    void *blocks[] = {
-        model->name,        model->coordinate,    model->is_rotation,     model->mass,
-        model->weight,      model->laws,          model->link_motion,     model->nonlinear,
-        model->port_motion, model->sensor_motion, model->sensor_quantity, model->sensor_link,
-        model->road_x,      model->road_y,        model->static_q,        model->static_force};
+    void *blocks[] = {model->name,          model->coordinate,      model->is_rotation,
+                      model->mass,          model->weight,          model->laws,
+                      model->link_motion,   model->nonlinear,       model->port_motion,
+                      model->sensor_motion, model->sensor_quantity, model->sensor_link,
+                      model->memory,        model->link_beam,       model->road_x,
+                      model->road_y,        model->static_q,        model->static_force};
     for (size_t k = 0; k < sizeof blocks / sizeof *blocks; k++)
         trk_free(context, blocks[k]);
     trk_free(context, model);

@@ -12,7 +12,7 @@ const char *trk_model_name(const trk_model *model)
 static const trk_names *names_of(const trk_model *model, trk_part part)
 {
     static const trk_names none;
-    return model && part >= 1 && part <= TRK_PART_COORDINATE ? &model->names[part] : &none;
+    return model && part >= 1 && part <= TRK_MODEL_PARTS ? &model->names[part] : &none;
 }
 
 int32_t trk_model_count(const trk_model *model, trk_part part)
@@ -28,6 +28,15 @@ int32_t trk_model_find(const trk_model *model, trk_part part, const char *name)
 const char *trk_model_part_name(const trk_model *model, trk_part part, int32_t id)
 {
     return trk_names_text(names_of(model, part), id);
+}
+
+const char *trk_model_link_name(const trk_model *model, int32_t link, const char **out_word)
+{
+    int32_t named = trk_model_named_links(model);
+    *out_word = link < named ? "link" : "beam";
+    return link < named
+               ? trk_names_text(&model->names[TRK_PART_LINK], link + 1)
+               : trk_names_text(&model->names[TRK_PART_BEAM], model->link_beam[link - named]);
 }
 
 static const char *sensor_unit(trk_quantity quantity, bool rotation)
@@ -77,7 +86,8 @@ void trk_model_get_static(const trk_model *model, double *out_q, double *out_for
     if (out_q)
         memcpy(out_q, model->static_q, (size_t)model->n * sizeof *out_q);
     if (out_force)
-        memcpy(out_force, model->static_force, (size_t)model->links.count * sizeof *out_force);
+        memcpy(out_force, model->static_force,
+               (size_t)trk_model_named_links(model) * sizeof *out_force);
 }
 
 void trk_model_get_mass(const trk_model *model, double *out_mass)
@@ -89,14 +99,22 @@ void trk_model_get_mass(const trk_model *model, double *out_mass)
         trk_rows_add_square(&model->inertia, r, model->mass[r], model->n, out_mass);
 }
 
+int32_t trk_model_find_law(const trk_model *model)
+{
+    for (int32_t j = 0; j < model->nonlinear_count; j++)
+        if (model->laws[model->nonlinear[j]].law)
+            return model->nonlinear[j];
+    return -1;
+}
+
 void trk_model_link_tangent(const trk_model *model, int32_t link, const double *q, const double *v,
                             double *out_stiffness, double *out_damping)
 {
-    const trk_law *law = &model->laws[link];
+    const trk_link_law *law = &model->laws[link];
     trk_law_hint hint = {0, 0};
     trk_law_point point;
-    trk_law_evaluate(law, trk_rows_dot(&model->links, link, q ? q : model->static_q),
-                     v ? trk_rows_dot(&model->links, link, v) : 0, &hint, &point);
+    trk_link_law_evaluate(law, trk_rows_dot(&model->links, link, q ? q : model->static_q),
+                          v ? trk_rows_dot(&model->links, link, v) : 0, &hint, &point);
     *out_stiffness = law->stiffness + point.stiffness;
     *out_damping = law->damping + point.damping;
 }
@@ -152,6 +170,6 @@ void trk_model_get_link_force(const trk_model *model, const double *e, const dou
 {
     if (!model || !e || !rate || !out_force)
         return;
-    for (int32_t k = 0; k < model->links.count; k++)
-        out_force[k] = trk_law_force(&model->laws[k], e[k], rate[k]);
+    for (int32_t k = 0; k < trk_model_named_links(model); k++)
+        out_force[k] = trk_link_law_force(&model->laws[k], e[k], rate[k]);
 }

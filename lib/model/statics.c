@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Static equilibrium B^T f(B q, 0) = w (MODEL.5) by Newton with backtracking.
+ * Static equilibrium B^T f(B q, 0) = w (MODEL.5) by Newton with an energy line search (MODEL.6).
  * Without gravity q = 0 is the answer by convention.
  */
 #include "model/model.h"
@@ -11,7 +11,13 @@
 #include <math.h>
 #include <string.h>
 
-enum { MAX_ITERATIONS = 200, MAX_HALVINGS = 30 };
+enum { MAX_ITERATIONS = 200, MAX_DOUBLINGS = 40, MAX_TRIALS = 60 };
+
+/* A step ends where the energy along it is this much less steep than at its start (MODEL.6). */
+static const double FLATTER = 0.8;
+
+/* Below this part of the largest force, a residual that does not fall any more is rounding. */
+static const double SETTLED = 1e-9;
 
 /* Arrays of the iteration, n or links long. */
 typedef struct statics {
@@ -26,7 +32,7 @@ static double residual(const trk_model *model, const double *q, double *r, doubl
     for (int32_t i = 0; i < model->n; i++)
         *out_scale = fmax(*out_scale, fabs(r[i]));
     for (int32_t k = 0; k < model->links.count; k++) {
-        double f = trk_law_force(&model->laws[k], trk_rows_dot(&model->links, k, q), 0);
+        double f = trk_link_law_force(&model->laws[k], trk_rows_dot(&model->links, k, q), 0);
         *out_scale = fmax(*out_scale, fabs(f));
         trk_rows_add(&model->links, k, -f, r);
     }
@@ -40,11 +46,16 @@ static double residual(const trk_model *model, const double *q, double *r, doubl
 static void use_largest_tangents(const trk_model *model, statics *s)
 {
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_law *law = &model->laws[k];
+        const trk_link_law *law = &model->laws[k];
         double least, most = 0;
         if (law->spring)
             trk_curve_slope_range(law->spring, &least, &most);
         s->tangent[k] = law->stiffness + law->spring_scale * most;
+        if (law->law) {
+            double stiffness, ignored;
+            law->law->ops->steepest(law->law, &stiffness, &ignored);
+            s->tangent[k] += stiffness;
+        }
     }
 }
 
@@ -64,9 +75,9 @@ static double rounding(const trk_model *model, const statics *s)
 /* Newton direction at s->q into s->step. */
 static trk_status direction(trk_model *model, trk_assembly *assembly, statics *s)
 {
-    double ignored;
     for (int32_t k = 0; k < model->links.count; k++)
-        trk_model_link_tangent(model, k, s->q, NULL, &s->tangent[k], &ignored);
+        s->tangent[k] =
+            trk_link_law_static_stiffness(&model->laws[k], trk_rows_dot(&model->links, k, s->q));
     int32_t bad = 0;
     trk_status status = trk_assembly_factorize(assembly, 0, s->tangent, &bad);
     if (status == TRK_E_SINGULAR) { /* a curve may start flat: a tire that just touches */
@@ -104,32 +115,78 @@ static trk_status conclude(const trk_model *model, const statics *s, double size
                     scale);
 }
 
+/*
+ * s->trial := s->q + t s->step and its residual; returns the fall of the energy along the step
+ * there, step . residual.
+ */
+static double go(const trk_model *model, statics *s, double t, double *out_size, double *out_scale)
+{
+    double slope = 0;
+    for (int32_t i = 0; i < model->n; i++)
+        s->trial[i] = s->q[i] + t * s->step[i];
+    *out_size = residual(model, s->trial, s->residual, out_scale);
+    for (int32_t i = 0; i < model->n; i++)
+        slope += s->step[i] * s->residual[i];
+    return slope;
+}
+
+/*
+ * Choose s->trial along the step: all of it if that halves the residual, else where the energy is
+ * flatter, from beyond if need be (a tire in the air). false: the energy falls without end.
+ */
+static bool search(const trk_model *model, statics *s, double start, double *size, double *scale)
+{
+    double before = *size, t = 1, low = 0, s_low = start, now = go(model, s, 1, size, scale);
+    int side = 0;
+    if (*size < before / 2)
+        return true;
+    for (int k = 0; now > FLATTER * start; k++) {
+        if (k == MAX_DOUBLINGS)
+            return false;
+        low = t;
+        s_low = now;
+        t *= 2;
+        now = go(model, s, t, size, scale);
+    }
+    double high = t, s_high = now;
+    for (int k = 0; k < MAX_TRIALS && !(fabs(now) <= FLATTER * start); k++) {
+        t = low + (high - low) * (isfinite(s_high) ? s_low / (s_low - s_high) : 0.5);
+        now = go(model, s, t, size, scale);
+        if (now > 0) {
+            low = t;
+            s_low = now;
+            s_high = side > 0 ? s_high / 2 : s_high;
+            side = 1;
+        } else {
+            high = t;
+            s_high = now;
+            s_low = side < 0 ? s_low / 2 : s_low;
+            side = -1;
+        }
+    }
+    return true;
+}
+
 static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
 {
     double scale, size = residual(model, s->q, s->residual, &scale);
     for (int32_t iteration = 0; iteration < MAX_ITERATIONS; iteration++) {
+        double before = size, before_scale = scale, start = 0;
         trk_status status = direction(model, assembly, s);
         if (status != TRK_OK)
             return status;
-        double factor = 1, smaller = INFINITY;
-        for (int halving = 0; halving < MAX_HALVINGS; halving++, factor /= 2) {
-            for (int32_t i = 0; i < model->n; i++)
-                s->trial[i] = s->q[i] + factor * s->step[i];
-            smaller = residual(model, s->trial, s->residual, &scale);
-            if (smaller < size)
-                break;
-        }
+        for (int32_t i = 0; i < model->n; i++)
+            start += s->step[i] * s->residual[i];
+        bool found = search(model, s, start, &size, &scale);
         /* Go on until rounding stops the descent, then ask whether that is equilibrium. */
-        if (!(smaller < size))
-            return conclude(model, s, size, scale);
-        size = smaller;
+        bool settled = before <= fmax(SETTLED * before_scale, rounding(model, s));
+        if (!found || (!(size < before) && settled))
+            return conclude(model, s, before, before_scale);
         memcpy(s->q, s->trial, (size_t)model->n * sizeof *s->q);
         if (size <= 4 * DBL_EPSILON * scale)
             return TRK_OK;
     }
-    return trk_fail(model->context, TRK_E_CONVERGENCE,
-                    "no static equilibrium found in %d iterations: %g N out of balance",
-                    MAX_ITERATIONS, size);
+    return conclude(model, s, size, scale);
 }
 
 static trk_status solve(trk_model *model, statics *s)
@@ -163,6 +220,6 @@ trk_status trk_model_solve_static(trk_model *model)
     }
     for (int32_t k = 0; k < model->links.count; k++)
         model->static_force[k] =
-            trk_law_force(&model->laws[k], trk_rows_dot(&model->links, k, model->static_q), 0);
+            trk_link_law_force(&model->laws[k], trk_rows_dot(&model->links, k, model->static_q), 0);
     return status;
 }

@@ -20,7 +20,8 @@ static double *take(double **cursor, int64_t count)
     return array;
 }
 
-static void take_state(trk_state *state, double **cursor, int32_t n, int32_t roads, int32_t p)
+static void take_state(trk_state *state, double **cursor, int32_t n, int32_t roads, int32_t p,
+                       int32_t memory)
 {
     state->q = take(cursor, n);
     state->v = take(cursor, n);
@@ -28,17 +29,19 @@ static void take_state(trk_state *state, double **cursor, int32_t n, int32_t roa
     state->height = take(cursor, roads);
     state->velocity = take(cursor, roads);
     state->force = take(cursor, p);
+    state->memory = take(cursor, memory);
     state->rest = take(cursor, n);
 }
 
 static trk_status allocate(trk_newmark *stepper)
 {
     const trk_model *model = stepper->model;
-    int32_t n = model->n, p = model->nonlinear_count, roads = model->names[TRK_PART_ROAD].count;
+    int32_t n = model->n, p = model->nonlinear_count, roads = model->names[TRK_PART_ROAD].count,
+            memory = model->memory[model->links.count];
     int64_t square = padded((int64_t)p * p);
-    int64_t state = 4 * padded(n) + 2 * padded(roads) + padded(p);
+    int64_t state = 4 * padded(n) + 2 * padded(roads) + padded(p) + padded(memory);
     int64_t doubles = 2 * state + 2 * padded(n) + padded((int64_t)p * n) + 2 * square +
-                      8 * padded(p) + padded(model->links.count);
+                      11 * padded(p) + padded(model->links.count);
     stepper->block = trk_new(stepper->context, doubles, sizeof *stepper->block);
     stepper->nonlinear_index =
         trk_new(stepper->context, model->links.count, sizeof *stepper->nonlinear_index);
@@ -46,8 +49,8 @@ static trk_status allocate(trk_newmark *stepper)
     if (!stepper->block || !stepper->nonlinear_index || !stepper->hints)
         return TRK_E_MEMORY;
     double *cursor = stepper->block;
-    take_state(&stepper->now, &cursor, n, roads, p);
-    take_state(&stepper->next, &cursor, n, roads, p);
+    take_state(&stepper->now, &cursor, n, roads, p, memory);
+    take_state(&stepper->next, &cursor, n, roads, p, memory);
     stepper->p = p;
     stepper->load_row = take(&cursor, n);
     stepper->residual = take(&cursor, n);
@@ -61,6 +64,9 @@ static trk_status allocate(trk_newmark *stepper)
         stepper->past[k] = take(&cursor, p);
     stepper->trial = take(&cursor, p);
     stepper->mismatch = take(&cursor, p);
+    stepper->pull = take(&cursor, p);
+    stepper->reach = take(&cursor, p);
+    stepper->root = take(&cursor, p);
     stepper->slope = take(&cursor, p);
     for (int32_t k = 0; k < model->links.count; k++)
         stepper->nonlinear_index[k] = -1;
@@ -110,13 +116,15 @@ static double largest_of(const trk_curve *curve)
     return largest;
 }
 
-/* What rounding leaves of a force computed as a difference of table forces. */
+/* What rounding leaves of a force computed as a difference of larger ones, of tables or at rest. */
 static double find_force_floor(const trk_model *model)
 {
     double largest = 0;
     for (int32_t j = 0; j < model->nonlinear_count; j++) {
-        const trk_law *law = &model->laws[model->nonlinear[j]];
-        largest = fmax(largest, law->spring_scale * largest_of(law->spring) +
+        const trk_link_law *law = &model->laws[model->nonlinear[j]];
+        double at_rest =
+            law->law ? fabs(law->rest) + fabs(model->static_force[model->nonlinear[j]]) : 0;
+        largest = fmax(largest, at_rest + law->spring_scale * largest_of(law->spring) +
                                     law->damper_scale * largest_of(law->damper));
     }
     return 8 * DBL_EPSILON * largest;

@@ -80,7 +80,7 @@ static bool add_table(trk_fast *s, int32_t lane, const struct trk_fast_table *ta
 static bool add_tables(trk_fast *s, bool of_rate)
 {
     for (int32_t j = 0; j < s->form->tables; j++) {
-        const trk_law *law = s->form->table[j].law;
+        const trk_link_law *law = s->form->table[j].law;
         struct trk_fast_table table = {.nonlinear = j};
         if (of_rate) {
             table.curve = law->damper;
@@ -166,7 +166,7 @@ static bool lay_out(trk_fast *s, const trk_model *model)
 static bool fits(const trk_newmark *stepper)
 {
     return trk_solver_backend(stepper->assembly.solver) == TRK_BACKEND_DENSE &&
-           stepper->model->n <= TRK_FAST_MODES;
+           stepper->model->n <= TRK_FAST_MODES && trk_model_find_law(stepper->model) < 0;
 }
 
 static trk_status fill(trk_fast *s, const trk_newmark *stepper, bool *out_fits)

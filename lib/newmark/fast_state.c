@@ -128,8 +128,8 @@ void trk_fast_settle(const trk_newmark *stepper)
     for (int32_t j = 0; j < stepper->p; j++) {
         int32_t link = model->nonlinear[j];
         trk_law_point point;
-        trk_law_evaluate(&model->laws[link], trk_newmark_elongation(stepper, now, link),
-                         trk_newmark_rate(stepper, now, link), &stepper->hints[j], &point);
+        trk_link_law_evaluate(&model->laws[link], trk_newmark_elongation(stepper, now, link),
+                              trk_newmark_rate(stepper, now, link), &stepper->hints[j], &point);
         now->force[j] = point.force;
     }
     s->is_ahead = false;

@@ -4,17 +4,27 @@
  *
  *     e = e_free - w beta h^2 D g,  v = v_free - w gamma h D g,  w = 1 - alpha_f
  *     mismatch(g) = law(e, v) - g = 0
- *     (I + T D) dg = mismatch,  T = diag(w (beta h^2 dg/de + gamma h dg/dv))  (NEWMARK.7)
+ *     (I + T D) d = mismatch,  T = diag(w (beta h^2 dg/de + gamma h dg/dv))  (NEWMARK.7)
+ *     s(t) = d^T D mismatch(g + t d)                                         (NEWMARK.21)
+ *
+ * D is symmetric, and -D mismatch the gradient of a potential of g, convex if no law falls: s is
+ * how steep it falls along d. A correction that runs past its valley is cut back to the valley, which
+ * is how Newton's method finds its way over the corners of friction and contact.
  */
 #include "newmark/newmark.h"
-
-#include "linalg/small.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-enum { MAX_HALVINGS = 12 };
+enum { MAX_TRIALS = 60, STRICT = 10 };
+
+/*
+ * Cut-back corrections end where s of (NEWMARK.21) is between these fractions of what it was. Short
+ * of the valley the potential has fallen for certain; from the iteration STRICT on no more than that
+ * will do, and an endless cycle is impossible.
+ */
+static const double OVERSHOOT = 0.1, FLATTER = 0.5;
 
 /* Result of one evaluation of the laws. */
 typedef struct check {
@@ -23,26 +33,26 @@ typedef struct check {
     int32_t worst;   /* its non-linear link                                */
 } check;
 
-static check evaluate(trk_newmark *stepper, const double *g)
+/* The laws where `reach` = D g says. */
+static check evaluate(trk_newmark *stepper)
 {
     const trk_newmark_options *o = &stepper->options;
-    int32_t p = stepper->p;
+    const trk_model *model = stepper->model;
+    const double *g = stepper->next.force;
     double w = 1 - o->alpha_f, q_factor = w * o->beta * o->step * o->step,
            v_factor = w * o->gamma * o->step;
     check result = {0, 0, 0};
-    for (int32_t j = 0; j < p; j++) {
-        const double *d = stepper->coupling + (int64_t)j * p;
-        double a = 0;
-        for (int32_t k = 0; k < p; k++)
-            a += d[k] * g[k];
+    for (int32_t j = 0; j < stepper->p; j++) {
+        double a = stepper->reach[j];
+        int32_t link = model->nonlinear[j], memory = model->memory[link];
         trk_law_point point;
-        trk_law_evaluate(&stepper->model->laws[stepper->model->nonlinear[j]],
-                         stepper->e_free[j] - q_factor * a, stepper->v_free[j] - v_factor * a,
-                         &stepper->hints[j], &point);
+        trk_link_law_advance(&model->laws[link], stepper->now.memory + memory,
+                             stepper->e_free[j] - q_factor * a, stepper->v_free[j] - v_factor * a,
+                             o->step, &stepper->hints[j], &point, stepper->next.memory + memory);
         stepper->mismatch[j] = point.force - g[j];
         stepper->slope[j] = q_factor * point.stiffness + v_factor * point.damping;
-        result.force = fmax(result.force, fabs(point.force));
-        double size = fabs(stepper->mismatch[j]);
+        double force = fabs(point.force), size = fabs(stepper->mismatch[j]);
+        result.force = force > result.force ? force : result.force;
         if (!(size <= result.mismatch)) {
             result.mismatch = isnan(size) ? INFINITY : size;
             result.worst = j;
@@ -51,15 +61,18 @@ static check evaluate(trk_newmark *stepper, const double *g)
     return result;
 }
 
-/* Newton correction into stepper->mismatch. */
-static bool newton_step(trk_newmark *stepper)
+/* The same for a g from elsewhere than a correction. */
+static check begin(trk_newmark *stepper)
 {
     int32_t p = stepper->p;
-    for (int32_t j = 0; j < p; j++)
+    for (int32_t j = 0; j < p; j++) {
+        const double *row = stepper->coupling + (int64_t)j * p;
+        double sum = 0;
         for (int32_t k = 0; k < p; k++)
-            stepper->jacobian[(int64_t)j * p + k] =
-                stepper->slope[j] * stepper->coupling[(int64_t)j * p + k] + (j == k);
-    return trk_small_solve(p, stepper->jacobian, stepper->mismatch);
+            sum += row[k] * stepper->next.force[k];
+        stepper->reach[j] = sum;
+    }
+    return evaluate(stepper);
 }
 
 /*
@@ -90,11 +103,13 @@ static double rounding(const trk_newmark *stepper)
             a += term;
             acceleration += fabs(term);
         }
-        const trk_law *law = &model->laws[link];
+        const trk_link_law *law = &model->laws[link];
         trk_law_hint hint = stepper->hints[j];
+        double ignored[TRK_LAW_STATES];
         trk_law_point point;
-        trk_law_evaluate(law, stepper->e_free[j] - q_factor * a, stepper->v_free[j] - v_factor * a,
-                         &hint, &point);
+        trk_link_law_advance(law, stepper->now.memory + model->memory[link],
+                             stepper->e_free[j] - q_factor * a, stepper->v_free[j] - v_factor * a,
+                             o->step, &hint, &point, ignored);
         e += q_factor * acceleration + fabs(law->spring_offset);
         v += v_factor * acceleration;
         largest = fmax(largest, fabs(point.stiffness) * e + fabs(point.damping) * v);
@@ -115,37 +130,66 @@ static trk_status fail(trk_newmark *stepper, int32_t iterations, check result)
         stepper->options.tolerance);
 }
 
-/* Replace g by the best of g + dg, g + dg / 2, ... and evaluate there. */
-static check search(trk_newmark *stepper, double mismatch)
+/* Go on along the correction, evaluate there, and return s of (NEWMARK.21); NAN: not finite. */
+static double go(trk_newmark *stepper, double by, check *result)
 {
-    int32_t p = stepper->p;
-    double *g = stepper->next.force, *correction = stepper->trial;
-    memcpy(correction, stepper->mismatch, (size_t)p * sizeof *correction);
-    for (int32_t j = 0; j < p; j++)
-        g[j] += correction[j];
-    check result = evaluate(stepper, g);
-    for (int halving = 0; halving < MAX_HALVINGS && !(result.mismatch < mismatch); halving++) {
-        for (int32_t j = 0; j < p; j++) {
-            correction[j] /= 2;
-            g[j] -= correction[j];
+    double sum = 0;
+    for (int32_t j = 0; j < stepper->p; j++) {
+        stepper->next.force[j] += by * stepper->trial[j];
+        stepper->reach[j] += by * stepper->pull[j];
+    }
+    *result = evaluate(stepper);
+    for (int32_t j = 0; j < stepper->p; j++)
+        sum += stepper->pull[j] * stepper->mismatch[j];
+    return isfinite(result->mismatch) ? sum : NAN;
+}
+
+/*
+ * Replace g by g + t d and evaluate there: t = 1 unless that runs past the valley, else a t near
+ * the zero of s by regula falsi, Illinois variant (NEWMARK.21).
+ */
+static check search(trk_newmark *stepper, double start, double overshoot)
+{
+    check result;
+    double t = 1, low = 0, high = 1, s_low = start, s_high = go(stepper, 1, &result), s = s_high;
+    int side = 0;
+    if (s >= -overshoot * start || result.mismatch <= rounding(stepper))
+        return result;
+    for (int k = 0; k < MAX_TRIALS && !(s >= -overshoot * start && s <= FLATTER * start); k++) {
+        double next = low + (high - low) * (isfinite(s_high) ? s_low / (s_low - s_high) : 0.5);
+        s = go(stepper, next - t, &result);
+        t = next;
+        if (s > 0) {
+            low = t;
+            s_low = s;
+            s_high = side > 0 ? s_high / 2 : s_high;
+            side = 1;
+        } else {
+            high = t;
+            s_high = s;
+            s_low = side < 0 ? s_low / 2 : s_low;
+            side = -1;
         }
-        result = evaluate(stepper, g);
     }
     return result;
 }
 
 trk_status trk_newmark_solve_forces(trk_newmark *stepper)
 {
-    check result = evaluate(stepper, stepper->next.force);
+    check result = begin(stepper);
+    if (!isfinite(result.mismatch)) { /* the guess went too far: an air spring without air */
+        memcpy(stepper->next.force, stepper->now.force, (size_t)stepper->p * sizeof(double));
+        result = begin(stepper);
+    }
     double tolerance = stepper->options.tolerance, least = stepper->force_floor;
     int32_t iterations = 0;
     while (
         !(result.mismatch <= fmax(least, tolerance * fmax(stepper->force_scale, result.force)))) {
-        double before = result.mismatch;
+        double before = result.mismatch, start;
         if (iterations == stepper->options.max_iterations || !isfinite(before) ||
-            !newton_step(stepper))
+            !isfinite(start = trk_newmark_find_direction(stepper)))
             return fail(stepper, iterations, result);
-        result = search(stepper, before);
+        result = search(stepper, start, iterations < STRICT ? OVERSHOOT : 0);
         iterations++;
         if (!(result.mismatch < before / 2) && result.mismatch <= rounding(stepper))
             break;

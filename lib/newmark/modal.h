@@ -37,8 +37,8 @@
 
 /* A link with a curve; the laws are those of the model. */
 typedef struct trk_modal_table {
-    int32_t link;       /* 0-based link of the model                                      */
-    const trk_law *law; /* borrowed: g = a_s spring(e + e_0) + a_d damper(x) - rest       */
+    int32_t link;            /* 0-based link of the model                                      */
+    const trk_link_law *law; /* borrowed: g = a_s spring(e + e_0) + a_d damper(x) - rest       */
 } trk_modal_table;
 
 /* All matrices row-major, rows as named; lengths in elements. */

@@ -13,6 +13,7 @@ typedef struct trk_state {
     double *q, *v, *a;         /* length n                                             */
     double *height, *velocity; /* road at this time, length roads                      */
     double *force;             /* g of the non-linear links, length p                  */
+    double *memory;            /* of their laws, as model->memory deals it out         */
     double *rest;              /* r(q, v, t) of (NEWMARK.1), length n; only if alpha_f */
 } trk_state;
 
@@ -38,6 +39,8 @@ struct trk_newmark {
     double *e_free, *v_free;  /* state of those links were g zero, p                  */
     double *past[3];          /* g one, two and three steps ago, p                    */
     double *trial, *mismatch; /* Newton on g, p                                       */
+    double *pull, *reach;     /* D times its correction, D g; p                       */
+    double *root;             /* of the slopes, p                                     */
     double *slope;            /* t of (NEWMARK.7), p                                  */
     double *jacobian;         /* p x p                                                */
     trk_fast *fast;           /* a faster way for small systems (NEWMARK.13); NULL: none */
@@ -108,6 +111,13 @@ void trk_newmark_choose_kernel(trk_newmark *stepper);
  * next.force. On success next.force is the answer. TRK_E_CONVERGENCE: the message is recorded.
  */
 trk_status trk_newmark_solve_forces(trk_newmark *stepper);
+
+/*
+ * From mismatch and slope of the last evaluation: the correction d into trial, D d into pull. Returns
+ * s(0) of (NEWMARK.21), >= 0 but for rounding; not finite: no correction. Slopes < 0 may be
+ * replaced by 0.
+ */
+double trk_newmark_find_direction(trk_newmark *stepper);
 
 /* Factor S0 = (1 - alpha_m) M + (1 - alpha_f) (gamma h C0 + beta h^2 K0) (NEWMARK.4). */
 trk_status trk_newmark_factorize(trk_newmark *stepper);

@@ -38,7 +38,7 @@ static void put_forces(const trk_newmark *stepper, double *row)
     for (int32_t j = 0; j < stepper->p; j++) {
         int64_t spring, damper;
         int32_t link = model->nonlinear[j];
-        const trk_law *law = &model->laws[link];
+        const trk_link_law *law = &model->laws[link];
         find_forces(stepper, j, &spring, &damper);
         double whole = stepper->now.force[j], of_damper = 0;
         if (spring >= 0 && damper >= 0) {
@@ -89,7 +89,7 @@ static void add_force(const trk_newmark *stepper, int32_t link, double *on_row, 
                       double *on_velocity)
 {
     const trk_model *model = stepper->model;
-    const trk_law *law = &model->laws[link];
+    const trk_link_law *law = &model->laws[link];
     add_row(stepper, &model->links, link, law->stiffness, on_row);
     add_row(stepper, &model->links, link, law->damping, on_row + pad(model->n));
     trk_rows_add(&model->roads, link, -law->stiffness, on_height);

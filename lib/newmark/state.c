@@ -61,9 +61,11 @@ static trk_status balance(trk_newmark *stepper, trk_state *state)
     trk_newmark_subtract_linear(stepper, state, b);
     for (int32_t j = 0; j < stepper->p; j++) {
         int32_t link = model->nonlinear[j];
+        double e = trk_newmark_elongation(stepper, state, link);
         trk_law_point point;
-        trk_law_evaluate(&model->laws[link], trk_newmark_elongation(stepper, state, link),
-                         trk_newmark_rate(stepper, state, link), &stepper->hints[j], &point);
+        trk_link_law_relax(&model->laws[link], e, state->memory + model->memory[link]);
+        trk_link_law_evaluate(&model->laws[link], e, trk_newmark_rate(stepper, state, link),
+                              &stepper->hints[j], &point);
         state->force[j] = point.force;
         trk_rows_add(&model->links, link, -point.force, b);
     }
@@ -149,7 +151,7 @@ void trk_newmark_get_state(const trk_newmark *stepper, double *out_q, double *ou
 /* Whole force of a link. */
 static double link_force(const trk_newmark *stepper, int32_t link)
 {
-    const trk_law *law = &stepper->model->laws[link];
+    const trk_link_law *law = &stepper->model->laws[link];
     int32_t j = stepper->nonlinear_index[link];
     return law->stiffness * trk_newmark_elongation(stepper, &stepper->now, link) +
            law->damping * trk_newmark_rate(stepper, &stepper->now, link) +
@@ -162,7 +164,7 @@ void trk_newmark_get_links(const trk_newmark *stepper, double *out_elongation, d
     if (!stepper)
         return;
     trk_fast_settle(stepper);
-    for (int32_t k = 0; k < stepper->model->links.count; k++) {
+    for (int32_t k = 0; k < trk_model_named_links(stepper->model); k++) {
         if (out_elongation)
             out_elongation[k] = trk_newmark_elongation(stepper, &stepper->now, k);
         if (out_rate)

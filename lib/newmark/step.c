@@ -9,7 +9,7 @@ void trk_newmark_subtract_linear(const trk_newmark *stepper, const trk_state *st
 {
     const trk_model *model = stepper->model;
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_law *law = &model->laws[k];
+        const trk_link_law *law = &model->laws[k];
         double f = law->stiffness * trk_newmark_elongation(stepper, state, k) +
                    law->damping * trk_newmark_rate(stepper, state, k);
         trk_rows_add(&model->links, k, -f, r);
@@ -21,12 +21,13 @@ double trk_newmark_largest_force(const trk_newmark *stepper, const trk_state *st
     const trk_model *model = stepper->model;
     double largest = 0;
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_law *law = &model->laws[k];
+        const trk_link_law *law = &model->laws[k];
         int32_t j = stepper->nonlinear_index[k];
         double f = law->stiffness * trk_newmark_elongation(stepper, state, k) +
                    law->damping * trk_newmark_rate(stepper, state, k) +
                    (j >= 0 ? state->force[j] : 0);
-        largest = fmax(largest, fabs(f));
+        f = fabs(f);
+        largest = f > largest ? f : largest;
     }
     return largest;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Create an explicit stepper: options, memory, factors of M, check of the step. */
+#include "rungekutta/limit.h"
 #include "rungekutta/rungekutta.h"
 
 #include <math.h>
@@ -97,22 +98,34 @@ trk_status trk_rungekutta_build(trk_context *context, const trk_model *model, do
     return status;
 }
 
+static trk_status check_laws(trk_context *context, const trk_model *model)
+{
+    int32_t link = trk_model_find_law(model);
+    if (link < 0)
+        return TRK_OK;
+    return trk_fail(context, TRK_E_UNSUPPORTED,
+                    "%s: link '%s' has the law '%s', which the Runge-Kutta method does not know; "
+                    "take trk_newmark",
+                    trk_model_name(model), trk_model_part_name(model, TRK_PART_LINK, link + 1),
+                    trk_law_name(model->laws[link].law));
+}
+
 static trk_status check_step(trk_context *context, const trk_model *model, double step)
 {
     double limit;
-    int32_t link;
+    int32_t row;
     if (!isfinite(step) || step <= 0)
         return trk_fail(context, TRK_E_RANGE,
                         "trk_rungekutta_options: step is %g s; a finite number > 0 is needed",
                         step);
-    trk_status status = trk_rungekutta_find_limit(context, model, &limit, &link);
+    trk_status status = trk_rungekutta_find_stiffest(context, model, &limit, &row);
     if (status != TRK_OK || step <= limit)
         return status;
+    const char *word, *name = trk_model_link_name(model, row - 1, &word);
     return trk_fail(context, TRK_E_RANGE,
                     "%s: a step of %g s is beyond the limit of stability of the Runge-Kutta "
-                    "method, %.6g s, set by links like '%s'; take shorter steps or trk_newmark",
-                    trk_model_name(model), step, limit,
-                    trk_model_part_name(model, TRK_PART_LINK, link));
+                    "method, %.6g s, set by %ss like '%s'; take shorter steps or trk_newmark",
+                    trk_model_name(model), step, limit, word, name);
 }
 
 trk_status trk_rungekutta_create(trk_context *context, const trk_model *model,
@@ -126,6 +139,8 @@ trk_status trk_rungekutta_create(trk_context *context, const trk_model *model,
     trk_rungekutta_options known = defaults;
     trk_status status =
         trk_read_options(context, "trk_rungekutta_options", options, &known, sizeof known);
+    if (status == TRK_OK)
+        status = check_laws(context, model);
     if (status == TRK_OK)
         status = check_step(context, model, known.step);
     return status == TRK_OK ? trk_rungekutta_build(context, model, known.step, out_stepper)

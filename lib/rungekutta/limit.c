@@ -64,7 +64,7 @@ static double end_of_range(const trk_curve *curve, double scale, bool large)
 static void set_tangents(limit *l, corner at)
 {
     for (int32_t k = 0; k < l->model->links.count; k++) {
-        const trk_law *law = &l->model->laws[k];
+        const trk_link_law *law = &l->model->laws[k];
         l->stiffness[k] =
             law->stiffness + end_of_range(law->spring, law->spring_scale, at.large_stiffness);
         l->damping[k] =
@@ -116,7 +116,7 @@ static trk_status find(limit *l)
     static const corner corners[] = {{true, true}, {false, true}, {true, false}};
     bool has_spring = false, has_damper = false;
     for (int32_t j = 0; j < l->model->nonlinear_count; j++) {
-        const trk_law *law = &l->model->laws[l->model->nonlinear[j]];
+        const trk_link_law *law = &l->model->laws[l->model->nonlinear[j]];
         has_spring |= law->spring != NULL;
         has_damper |= law->damper != NULL;
     }
@@ -131,12 +131,9 @@ static trk_status find(limit *l)
     return status;
 }
 
-trk_status trk_rungekutta_find_limit(trk_context *context, const trk_model *model, double *out_step,
-                                     int32_t *out_link)
+trk_status trk_rungekutta_find_stiffest(trk_context *context, const trk_model *model,
+                                        double *out_step, int32_t *out_row)
 {
-    TRK_REQUIRE(context, context, "trk_rungekutta_find_limit");
-    TRK_REQUIRE(context, model, "trk_rungekutta_find_limit");
-    TRK_REQUIRE(context, out_step, "trk_rungekutta_find_limit");
     if (!trk_has_feature(TRK_FEATURE_LAPACK))
         return trk_fail(context, TRK_E_UNSUPPORTED,
                         "%s: the limit of stability of the Runge-Kutta method needs LAPACK, which "
@@ -158,7 +155,19 @@ trk_status trk_rungekutta_find_limit(trk_context *context, const trk_model *mode
     if (status != TRK_OK)
         return status;
     *out_step = l.step;
-    if (out_link)
-        *out_link = l.link;
+    *out_row = l.link;
     return TRK_OK;
+}
+
+trk_status trk_rungekutta_find_limit(trk_context *context, const trk_model *model, double *out_step,
+                                     int32_t *out_link)
+{
+    TRK_REQUIRE(context, context, "trk_rungekutta_find_limit");
+    TRK_REQUIRE(context, model, "trk_rungekutta_find_limit");
+    TRK_REQUIRE(context, out_step, "trk_rungekutta_find_limit");
+    int32_t row;
+    trk_status status = trk_rungekutta_find_stiffest(context, model, out_step, &row);
+    if (status == TRK_OK && out_link)
+        *out_link = row <= trk_model_named_links(model) ? row : 0;
+    return status;
 }

@@ -14,6 +14,13 @@
  */
 double trk_rungekutta_stable_step(double complex lambda);
 
+/*
+ * As trk_rungekutta_find_limit(), with the stiffest row of B, of a link or of a beam, counted
+ * from 1; 0: none.
+ */
+trk_status trk_rungekutta_find_stiffest(trk_context *context, const trk_model *model,
+                                        double *out_step, int32_t *out_row);
+
 /* Linearised model y'' = -M^-1 (B^T k B y + B^T c B y') by its links. */
 typedef struct trk_linearised {
     const trk_model *model;

@@ -11,7 +11,7 @@ static int32_t count_tables(const trk_model *model, bool springs_only)
 {
     int32_t count = 0;
     for (int32_t j = 0; j < model->nonlinear_count; j++) {
-        const trk_law *law = &model->laws[model->nonlinear[j]];
+        const trk_link_law *law = &model->laws[model->nonlinear[j]];
         count += (law->spring != NULL) + (!springs_only && law->damper != NULL);
     }
     return count;
@@ -86,7 +86,7 @@ static void list_tables(trk_explicit *s, const trk_model *model)
     trk_explicit_table *t = s->table;
     for (int32_t j = 0; j < model->nonlinear_count; j++) {
         int32_t link = model->nonlinear[j];
-        const trk_law *law = &model->laws[link];
+        const trk_link_law *law = &model->laws[link];
         double rest = law->rest; /* goes to the first table of the link */
         if (law->spring) {
             *t++ = (trk_explicit_table){.curve = law->spring,
@@ -115,7 +115,7 @@ static int64_t count_pieces(const trk_model *model)
 {
     int64_t count = 0;
     for (int32_t j = 0; j < model->nonlinear_count; j++) {
-        const trk_law *law = &model->laws[model->nonlinear[j]];
+        const trk_link_law *law = &model->laws[model->nonlinear[j]];
         count +=
             (law->spring ? law->spring->count + 1 : 0) + (law->damper ? law->damper->count + 1 : 0);
     }
@@ -156,7 +156,7 @@ static void fill_links(trk_explicit *s, const trk_model *model, double *b)
 {
     int64_t state = trk_explicit_part(s);
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_law *law = &model->laws[k];
+        const trk_link_law *law = &model->laws[k];
         project(s, &model->links, k, b);
         for (int32_t j = 0; j < s->n; j++)
             for (int32_t i = 0; i < s->n; i++)

@@ -147,17 +147,17 @@ static double rate(const trk_rungekutta *stepper, const double *v, int32_t link)
 
 static double force(const trk_rungekutta *stepper, int32_t link, double e, double speed)
 {
-    const trk_law *law = &stepper->model->laws[link];
+    const trk_link_law *law = &stepper->model->laws[link];
     trk_law_point point;
-    trk_law_evaluate(law, e, speed, &stepper->hints[link], &point);
+    trk_link_law_evaluate(law, e, speed, &stepper->hints[link], &point);
     return law->stiffness * e + law->damping * speed + point.force;
 }
 
 double trk_rungekutta_curve_force(const trk_rungekutta *stepper, int32_t link)
 {
     trk_law_point point;
-    trk_law_evaluate(&stepper->model->laws[link], elongation(stepper, stepper->q, link),
-                     rate(stepper, stepper->v, link), &stepper->hints[link], &point);
+    trk_link_law_evaluate(&stepper->model->laws[link], elongation(stepper, stepper->q, link),
+                          rate(stepper, stepper->v, link), &stepper->hints[link], &point);
     return point.force;
 }
 
@@ -168,7 +168,7 @@ void trk_rungekutta_get_links(const trk_rungekutta *stepper, double *out_elongat
         return;
     const double *q = look_q(stepper);
     const double *v = look_v(stepper);
-    for (int32_t k = 0; k < stepper->model->links.count; k++) {
+    for (int32_t k = 0; k < trk_model_named_links(stepper->model); k++) {
         double e = elongation(stepper, q, k), speed = rate(stepper, v, k);
         if (out_elongation)
             out_elongation[k] = e;

@@ -13,13 +13,13 @@ trk_status trk_rungekutta_accelerate(trk_rungekutta *stepper, const double *q, c
     for (int32_t k = 0; k < model->ports.count; k++)
         trk_rows_add(&model->ports, k, action->load[k], out_a);
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_law *law = &model->laws[k];
+        const trk_link_law *law = &model->laws[k];
         trk_law_point point;
         double e =
             trk_rows_dot(&model->links, k, q) - trk_rows_dot(&model->roads, k, action->height);
         double rate =
             trk_rows_dot(&model->links, k, v) - trk_rows_dot(&model->roads, k, action->velocity);
-        trk_law_evaluate(law, e, rate, &stepper->hints[k], &point);
+        trk_link_law_evaluate(law, e, rate, &stepper->hints[k], &point);
         trk_rows_add(&model->links, k, -(law->stiffness * e + law->damping * rate + point.force),
                      out_a);
     }

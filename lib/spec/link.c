@@ -75,7 +75,32 @@ static trk_status own_curve(trk_context *context, const trk_curve **curve)
     return status;
 }
 
-/* Read, check, and take copies of the curves. */
+static void drop_owned(const trk_link_options *link)
+{
+    trk_curve_destroy((trk_curve *)link->spring_curve);
+    trk_curve_destroy((trk_curve *)link->damper_curve);
+    trk_law_destroy((trk_law *)link->law);
+}
+
+/* Put copies in the place of curves and law; all or nothing. */
+static trk_status own(trk_context *context, trk_link_options *link)
+{
+    const trk_law *law = link->law;
+    trk_law *copy = NULL;
+    link->law = NULL;
+    trk_status status = own_curve(context, &link->spring_curve);
+    trk_status of_damper = own_curve(context, &link->damper_curve);
+    if (status == TRK_OK)
+        status = of_damper;
+    if (status == TRK_OK && law)
+        status = trk_law_copy(context, law, &copy);
+    link->law = copy;
+    if (status != TRK_OK)
+        drop_owned(link);
+    return status;
+}
+
+/* Read, check, and take copies of curves and law. */
 static trk_status read_link(const trk_spec *spec, const char *name, const trk_link_options *options,
                             trk_link_options *out)
 {
@@ -86,20 +111,7 @@ static trk_status read_link(const trk_spec *spec, const char *name, const trk_li
         status = check_ends(spec, name, out);
     if (status == TRK_OK)
         status = trk_check_link_values(context, name, out);
-    if (status == TRK_OK)
-        status = own_curve(context, &out->spring_curve);
-    if (status != TRK_OK)
-        return status;
-    status = own_curve(context, &out->damper_curve);
-    if (status != TRK_OK)
-        trk_curve_destroy((trk_curve *)out->spring_curve);
-    return status;
-}
-
-static void drop_curves(const trk_link_options *link)
-{
-    trk_curve_destroy((trk_curve *)link->spring_curve);
-    trk_curve_destroy((trk_curve *)link->damper_curve);
+    return status == TRK_OK ? own(context, out) : status;
 }
 
 trk_status trk_spec_add_link(trk_spec *spec, const char *name, const trk_link_options *options,
@@ -113,7 +125,7 @@ trk_status trk_spec_add_link(trk_spec *spec, const char *name, const trk_link_op
         return status;
     status = trk_spec_append(spec, TRK_PART_LINK, name, (void **)&spec->links, sizeof link);
     if (status != TRK_OK) {
-        drop_curves(&link);
+        drop_owned(&link);
         return status;
     }
     int32_t id = trk_spec_count(spec, TRK_PART_LINK);
@@ -141,7 +153,7 @@ trk_status trk_spec_set_link(trk_spec *spec, int32_t link, const trk_link_option
     status = read_link(spec, trk_spec_part_name(spec, TRK_PART_LINK, link), options, &changed);
     if (status != TRK_OK)
         return status;
-    drop_curves(&spec->links[link - 1]);
+    drop_owned(&spec->links[link - 1]);
     spec->links[link - 1] = changed;
     return TRK_OK;
 }

@@ -31,6 +31,7 @@ void trk_spec_destroy(trk_spec *spec)
     for (int32_t k = 0; k < trk_spec_count(spec, TRK_PART_LINK); k++) {
         trk_curve_destroy((trk_curve *)spec->links[k].spring_curve);
         trk_curve_destroy((trk_curve *)spec->links[k].damper_curve);
+        trk_law_destroy((trk_law *)spec->links[k].law);
     }
     trk_free(context, spec->bodies);
     trk_free(context, spec->links);
@@ -38,6 +39,7 @@ void trk_spec_destroy(trk_spec *spec)
     trk_free(context, spec->ports);
     trk_free(context, spec->sensors);
     trk_free(context, spec->masses);
+    trk_free(context, spec->beams);
     for (trk_part part = 1; part <= TRK_SPEC_PARTS; part++)
         trk_names_clear(context, &spec->names[part]);
     trk_free(context, spec->name);
@@ -58,6 +60,8 @@ static trk_status add_all(const trk_spec *from, trk_spec *to)
                                    from->roads[k].y, NULL);
     for (int32_t k = 0; status == TRK_OK && k < trk_spec_count(from, TRK_PART_LINK); k++)
         status = trk_spec_add_link(to, from->names[TRK_PART_LINK].text[k], &from->links[k], NULL);
+    for (int32_t k = 0; status == TRK_OK && k < trk_spec_count(from, TRK_PART_BEAM); k++)
+        status = trk_spec_add_beam(to, from->names[TRK_PART_BEAM].text[k], &from->beams[k], NULL);
     for (int32_t k = 0; status == TRK_OK && k < trk_spec_count(from, TRK_PART_PORT); k++)
         status = trk_spec_add_port(to, from->names[TRK_PART_PORT].text[k], &from->ports[k], NULL);
     for (int32_t k = 0; status == TRK_OK && k < trk_spec_count(from, TRK_PART_SENSOR); k++)
@@ -87,9 +91,9 @@ trk_status trk_spec_copy(trk_context *context, const trk_spec *spec, trk_spec **
 
 const char *trk_part_word(trk_part part)
 {
-    static const char *const words[] = {"part", "body",   "link", "road",
-                                        "port", "sensor", "mass", "coordinate"};
-    return part >= TRK_PART_BODY && part <= TRK_PART_COORDINATE ? words[part] : words[0];
+    static const char *const words[] = {"part",   "body", "link",       "road", "port",
+                                        "sensor", "mass", "coordinate", "beam"};
+    return part >= TRK_PART_BODY && part <= TRK_PART_BEAM ? words[part] : words[0];
 }
 
 trk_status trk_spec_append(trk_spec *spec, trk_part part, const char *name, void **array,
@@ -106,6 +110,11 @@ trk_status trk_spec_append(trk_spec *spec, trk_part part, const char *name, void
     if (status == TRK_OK)
         memset((char *)*array + (size_t)(names->count - 1) * element_size, 0, element_size);
     return status;
+}
+
+void trk_spec_shorten(trk_spec *spec, trk_part part, int32_t count)
+{
+    trk_names_shorten(spec->context, &spec->names[part], count);
 }
 
 const char *trk_spec_name(const trk_spec *spec)

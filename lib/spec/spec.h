@@ -8,7 +8,7 @@
 #include <truckride/spec.h>
 
 enum {
-    TRK_SPEC_PARTS = TRK_PART_MASS, /* kinds of parts a spec holds are 1 .. this */
+    TRK_SPEC_PARTS = TRK_PART_BEAM, /* kinds of parts a spec holds are 1 .. this; no coordinates */
     TRK_NAME_LENGTH = 127           /* longest name, without the terminating 0  */
 };
 
@@ -28,11 +28,12 @@ struct trk_spec {
     trk_names names[TRK_SPEC_PARTS + 1]; /* by trk_part; [0] is empty */
     int64_t capacity[TRK_SPEC_PARTS + 1];
     trk_body_options *bodies;
-    trk_link_options *links; /* their curves are owned by the spec */
+    trk_link_options *links; /* their curves and laws are owned by the spec */
     trk_road_place *roads;
     trk_port_options *ports;
     trk_sensor_options *sensors;
     trk_point_mass *masses;
+    trk_beam_options *beams;
 };
 
 /* Kind of part in words, "link". */
@@ -45,6 +46,9 @@ const char *trk_part_word(trk_part part);
 trk_status trk_spec_append(trk_spec *spec, trk_part part, const char *name, void **array,
                            size_t element_size);
 
+/* Take away the bodies or beams that were added last, so that `count` are left. */
+void trk_spec_shorten(trk_spec *spec, trk_part part, int32_t count);
+
 /* Checks of one value or id; `what` and `name` say where in the message. */
 trk_status trk_check_finite(trk_context *context, const char *what, const char *name,
                             const char *field, int32_t count, const double *values);
@@ -56,7 +60,12 @@ trk_status trk_check_direction(trk_context *context, const char *what, const cha
 trk_status trk_check_link_values(trk_context *context, const char *name,
                                  const trk_link_options *link);
 trk_status trk_check_body(trk_context *context, const char *name, const trk_body_options *body);
+trk_status trk_check_beam_values(trk_context *context, const char *name,
+                                 const trk_beam_options *beam);
 trk_status trk_check_id(const trk_spec *spec, const char *what, const char *name, trk_part part,
                         int32_t id);
+
+/* Unit axes x, y, z of a beam (SPEC.6); returns its length [m], *out_sine of the angle to `up`. */
+double trk_beam_axes(const trk_beam_options *beam, double axes[3][3], double *out_sine);
 
 #endif

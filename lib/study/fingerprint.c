@@ -60,6 +60,47 @@ static void curve(uint64_t *hash, const trk_curve *c)
     }
 }
 
+static void stops(uint64_t *hash, const trk_law *law)
+{
+    trk_stops_options o;
+    trk_stops_options_init(&o, sizeof o);
+    if (trk_law_get_stops(law, &o) != TRK_OK)
+        return;
+    const double values[] = {o.bump_clearance, o.bump_stiffness, o.rebound_clearance,
+                             o.rebound_stiffness};
+    numbers(hash, 4, values);
+    curve(hash, o.bump_curve);
+    curve(hash, o.rebound_curve);
+}
+
+/* Parameters of a law; of the other kinds they are numbers all, behind struct_size. */
+static void law(uint64_t *hash, const trk_law *l)
+{
+    union {
+        size_t struct_size;
+        trk_tire_options tire;
+        trk_leaf_options leaf;
+        trk_friction_options friction;
+        trk_air_spring_options air_spring;
+        trk_seal_options seal;
+        double number[16];
+    } o = {.number = {0}};
+    trk_status status = TRK_E_ARGUMENT;
+    o.struct_size = sizeof o; /* a newer header would ask for more: the rest stays zero */
+    integer(hash, trk_law_get_kind(l));
+    switch (trk_law_get_kind(l)) {
+    case TRK_LAW_TIRE: status = trk_law_get_tire(l, &o.tire); break;
+    case TRK_LAW_STOPS: stops(hash, l); break;
+    case TRK_LAW_LEAF: status = trk_law_get_leaf(l, &o.leaf); break;
+    case TRK_LAW_FRICTION: status = trk_law_get_friction(l, &o.friction); break;
+    case TRK_LAW_AIR_SPRING: status = trk_law_get_air_spring(l, &o.air_spring); break;
+    case TRK_LAW_SEAL: status = trk_law_get_seal(l, &o.seal); break;
+    default: break;
+    }
+    if (status == TRK_OK)
+        numbers(hash, 15, o.number + 1);
+}
+
 static void links(uint64_t *hash, const trk_spec *spec)
 {
     for (int32_t k = 0; k < trk_spec_count(spec, TRK_PART_LINK); k++) {
@@ -75,6 +116,24 @@ static void links(uint64_t *hash, const trk_spec *spec)
         numbers(hash, 5, values);
         curve(hash, o->spring_curve);
         curve(hash, o->damper_curve);
+        law(hash, o->law);
+    }
+}
+
+static void beams(uint64_t *hash, const trk_spec *spec)
+{
+    for (int32_t k = 0; k < trk_spec_count(spec, TRK_PART_BEAM); k++) {
+        const trk_beam_options *o = &spec->beams[k];
+        const double values[] = {o->axial,           o->torsion,      o->bending_y,
+                                 o->bending_z,       o->shear_y,      o->shear_z,
+                                 o->mass_per_length, o->inertia_x,    o->inertia_y,
+                                 o->inertia_z,       o->mass_damping, o->stiffness_damping};
+        integer(hash, o->from_body);
+        integer(hash, o->to_body);
+        numbers(hash, 3, o->from_point);
+        numbers(hash, 3, o->to_point);
+        numbers(hash, 3, o->up);
+        numbers(hash, sizeof values / sizeof *values, values);
     }
 }
 
@@ -108,6 +167,7 @@ static void spec(uint64_t *hash, const trk_spec *s)
         numbers(hash, 3, o->direction);
     }
     links(hash, s);
+    beams(hash, s);
 }
 
 static void settings(uint64_t *hash, const trk_study *study)

@@ -197,7 +197,7 @@ trk_status trk_study_compile(trk_study *study, int64_t number, double *parameter
         const trk_action *a = &study->actions[k];
         status = trk_spec_set_field(
             study->work, a->part, a->field, study->parameters[a->parameter].options.meaning,
-            trk_plain_power(parameters[a->parameter], a->power), study->base, a->part, true);
+            trk_plain_power(parameters[a->parameter], a->power), study->base, a->part);
     }
     return status == TRK_OK
                ? trk_model_compile(study->context, study->work, &study->model_options, out_model)

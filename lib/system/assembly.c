@@ -71,8 +71,7 @@ void trk_assembly_clear(trk_assembly *assembly)
     memset(assembly, 0, sizeof *assembly);
 }
 
-trk_status trk_assembly_factorize(trk_assembly *assembly, double a, const double *s,
-                                  int32_t *out_bad)
+void trk_assembly_fill(trk_assembly *assembly, double a, const double *s)
 {
     trk_solver_clear(assembly->solver);
     double *values = trk_solver_values(assembly->solver);
@@ -80,5 +79,11 @@ trk_status trk_assembly_factorize(trk_assembly *assembly, double a, const double
         add_squares(assembly->inertia, a, assembly->mass, assembly->slots, values);
     if (s)
         add_squares(assembly->links, 1, s, slot, values);
+}
+
+trk_status trk_assembly_factorize(trk_assembly *assembly, double a, const double *s,
+                                  int32_t *out_bad)
+{
+    trk_assembly_fill(assembly, a, s);
     return trk_solver_factorize(assembly->solver, out_bad);
 }

@@ -23,6 +23,9 @@ trk_status trk_assembly_create(trk_context *context, trk_backend backend, int32_
                                trk_assembly *assembly);
 void trk_assembly_clear(trk_assembly *assembly);
 
+/* Values of the solver: mass factor a and link factors s (length links; NULL: none). */
+void trk_assembly_fill(trk_assembly *assembly, double a, const double *s);
+
 /*
  * Assemble with mass factor a and link factors s (length links; NULL: none) and
  * factorize. TRK_E_SINGULAR: *out_bad is the 0-based coordinate where it stopped;

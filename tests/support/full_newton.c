@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "full_newton.h"
 
+#include "model/model.h"
 #include "support.h"
 
 struct full_newton {
@@ -11,6 +12,9 @@ struct full_newton {
     double *q, *v, *a, *r, *e, *rate, *force;     /* state; r(q, v, t) of (NEWMARK.1)      */
     double *q1, *v1, *a1, *r1, *residual, *trial; /* at the end of the step                */
     double *damping, *stiffness, *matrix;
+    double *e_slope, *v_slope; /* tangents of the links where rest() was called last */
+    double *memory, *memory1;  /* of the laws at the start and the end of the step   */
+    double elapsed;            /* [s] since then, 0 at the start                     */
 };
 
 static double *zeros(size_t count)
@@ -41,13 +45,15 @@ full_newton *full_newton_create(const trk_model *model, const trk_newmark_option
     double **square[] = {&f->mass, &f->damping, &f->stiffness, &f->matrix};
     double **vector[] = {&f->weight, &f->q,  &f->v,  &f->a,        &f->r,    &f->q1,
                          &f->v1,     &f->a1, &f->r1, &f->residual, &f->trial};
-    double **by_link[] = {&f->e, &f->rate, &f->force};
+    double **by_link[] = {&f->e, &f->rate, &f->force, &f->e_slope, &f->v_slope};
     for (size_t k = 0; k < sizeof square / sizeof *square; k++)
         *square[k] = zeros(n * n);
     for (size_t k = 0; k < sizeof vector / sizeof *vector; k++)
         *vector[k] = zeros(n);
     for (size_t k = 0; k < sizeof by_link / sizeof *by_link; k++)
         *by_link[k] = zeros(links);
+    f->memory = zeros((size_t)model->memory[links]);
+    f->memory1 = zeros((size_t)model->memory[links]);
     f->b = zeros(links * n);
     f->g = zeros(links * roads);
     f->p = zeros(f->ports * n);
@@ -67,12 +73,31 @@ full_newton *full_newton_create(const trk_model *model, const trk_newmark_option
 
 void full_newton_destroy(full_newton *f)
 {
-    double *blocks[] = {f->mass, f->damping,  f->stiffness, f->matrix, f->weight, f->q,  f->v,
-                        f->a,    f->r,        f->q1,        f->v1,     f->a1,     f->r1, f->e,
-                        f->rate, f->residual, f->trial,     f->force,  f->b,      f->g,  f->p};
+    double *blocks[] = {f->mass,    f->damping,  f->stiffness, f->matrix, f->weight, f->q,  f->v,
+                        f->a,       f->r,        f->q1,        f->v1,     f->a1,     f->r1, f->e,
+                        f->rate,    f->residual, f->trial,     f->force,  f->b,      f->g,  f->p,
+                        f->e_slope, f->v_slope,  f->memory,    f->memory1};
     for (size_t k = 0; k < sizeof blocks / sizeof *blocks; k++)
         free(blocks[k]);
     free(f);
+}
+
+/* Forces and tangents of all links, and the memory of their laws at the end of the step. */
+static void find_forces(full_newton *f)
+{
+    for (size_t k = 0; k < f->links; k++) {
+        const trk_link_law *law = &f->model->laws[k];
+        size_t first = (size_t)f->model->memory[k];
+        trk_law_hint hint = {0, 0};
+        trk_law_point point;
+        if (f->elapsed == 0)
+            trk_link_law_relax(law, f->e[k], f->memory + first);
+        trk_link_law_advance(law, f->memory + first, f->e[k], f->rate[k], f->elapsed, &hint, &point,
+                             f->memory1 + first);
+        f->force[k] = law->stiffness * f->e[k] + law->damping * f->rate[k] + point.force;
+        f->e_slope[k] = law->stiffness + point.stiffness;
+        f->v_slope[k] = law->damping + point.damping;
+    }
 }
 
 /* r = B^T f - P p - w; returns the largest force. */
@@ -85,7 +110,7 @@ static double rest(full_newton *f, const double *q, const double *v, const doubl
         f->e[k] = dot(n, f->b + k * n, q) - dot(f->roads, f->g + k * f->roads, height);
         f->rate[k] = dot(n, f->b + k * n, v) - dot(f->roads, f->g + k * f->roads, velocity);
     }
-    trk_model_get_link_force(f->model, f->e, f->rate, f->force);
+    find_forces(f);
     for (size_t i = 0; i < n; i++) {
         r[i] = -f->weight[i];
         for (size_t k = 0; k < f->links; k++)
@@ -133,6 +158,7 @@ void full_newton_start(full_newton *f, const double *height, const double *veloc
 {
     trk_model_get_static(f->model, f->q, NULL);
     memset(f->v, 0, f->n * sizeof *f->v);
+    f->elapsed = 0;
     rest(f, f->q, f->v, height, velocity, load, f->r);
     memcpy(f->matrix, f->mass, f->n * f->n * sizeof *f->matrix);
     for (size_t i = 0; i < f->n; i++)
@@ -165,7 +191,16 @@ static double imbalance(full_newton *f, const double *height, const double *velo
 static void newton_direction(full_newton *f)
 {
     const trk_newmark_options *o = &f->o;
-    trk_model_get_tangent(f->model, f->q1, f->v1, f->damping, f->stiffness);
+    size_t n = f->n;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            f->damping[i * n + j] = f->stiffness[i * n + j] = 0;
+            for (size_t k = 0; k < f->links; k++) {
+                double square = f->b[k * n + i] * f->b[k * n + j];
+                f->damping[i * n + j] += f->v_slope[k] * square;
+                f->stiffness[i * n + j] += f->e_slope[k] * square;
+            }
+        }
     for (size_t k = 0; k < f->n * f->n; k++)
         f->matrix[k] = (1 - o->alpha_m) * f->mass[k] +
                        (1 - o->alpha_f) * o->step *
@@ -178,6 +213,7 @@ static void newton_direction(full_newton *f)
 void full_newton_step(full_newton *f, const double *height, const double *velocity,
                       const double *load)
 {
+    f->elapsed = f->o.step;
     memcpy(f->a1, f->a, f->n * sizeof *f->a1);
     double size = imbalance(f, height, velocity, load);
     for (int iteration = 0; iteration < 50 && size > 1e-15; iteration++) {
@@ -195,6 +231,7 @@ void full_newton_step(full_newton *f, const double *height, const double *veloci
             break;
     }
     assert_true(size < 1e-12);
+    memcpy(f->memory, f->memory1, (size_t)f->model->memory[f->links] * sizeof *f->memory);
     memcpy(f->q, f->q1, f->n * sizeof *f->q);
     memcpy(f->v, f->v1, f->n * sizeof *f->v);
     memcpy(f->a, f->a1, f->n * sizeof *f->a);

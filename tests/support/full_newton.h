@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Oracle of the stepper: Newton on all accelerations with the whole tangent matrix,
- * through the public API only and without any thought of speed. It iterates until
- * rounding stops it. Roads must not act on non-linear links (the tangent would miss them).
+ * Oracle of the stepper: Newton on all accelerations with the whole tangent matrix, without
+ * any thought of speed. Rows and masses come through the public API, forces, tangents and
+ * memory of the links one by one from their laws. It iterates until rounding stops it.
  */
 #ifndef TRK_TESTS_FULL_NEWTON_H
 #define TRK_TESTS_FULL_NEWTON_H

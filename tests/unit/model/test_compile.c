@@ -220,7 +220,7 @@ static void overflow_of_mass_and_force(void **state)
     link.spring_offset = 1e300;
     assert_ok(*state, trk_spec_add_link(spec, "k", &link, NULL));
     trk_curve_destroy(curve);
-    refuse(*state, spec, 0, TRK_E_RANGE, "van: link 'k': the force of its curves at e = 0");
+    refuse(*state, spec, 0, TRK_E_RANGE, "van: link 'k': the force of its curves or law at e = 0");
 }
 
 static trk_status compile_with_gravity(trk_context *context)

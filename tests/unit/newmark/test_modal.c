@@ -40,7 +40,7 @@ static void solve_forces(const trk_modal_form *f, const double *x_free, const do
             double x = x_free[j] - f->kappa * dot(f->tables, f->coupling + j * f->tables, g);
             trk_law_hint hint = {0, 0};
             trk_law_point point;
-            trk_law_evaluate(f->table[j].law, e_rest[j] + f->r * x, x, &hint, &point);
+            trk_link_law_evaluate(f->table[j].law, e_rest[j] + f->r * x, x, &hint, &point);
             next[j] = point.force;
         }
         memcpy(g, next, (size_t)f->tables * sizeof *g);

@@ -56,7 +56,8 @@ static void refusals_change_nothing(void **state)
     assert_int_equal(trk_spec_vary(NULL, 1, "*", 0, 1, NULL), TRK_E_ARGUMENT);
     assert_status(*state, trk_spec_vary(spec, 1, NULL, 0, 1, NULL), TRK_E_ARGUMENT);
     assert_status(*state, trk_spec_vary(spec, 0, "*", 0, 1, NULL), TRK_E_ARGUMENT);
-    assert_status(*state, trk_spec_vary(spec, 6, "*", 0, 1, NULL), TRK_E_ARGUMENT);
+    assert_status(*state, trk_spec_vary(spec, TRK_FIELD_BENDING + 1, "*", 0, 1, NULL),
+                  TRK_E_ARGUMENT);
     assert_status(*state, trk_spec_vary(spec, 1, "*", 2, 1, NULL), TRK_E_ARGUMENT);
     assert_status(*state, trk_spec_vary(spec, 1, "*_tire", 0, NAN, NULL), TRK_E_RANGE);
     assert_status(*state, trk_spec_vary(spec, 1, "*_tire", 0, 1e308, NULL), TRK_E_RANGE);
