@@ -16,6 +16,8 @@
 #define TRUCKRIDE_LINEAR_H
 
 #include <truckride/excitation.h>
+#include <truckride/law.h>
+#include <truckride/road.h>
 #include <truckride/spectrum.h>
 
 /** Modes of a model about a working point; immutable. */
@@ -38,6 +40,26 @@ typedef struct trk_modes trk_modes;
  */
 TRK_API trk_status trk_modes_create_undamped(trk_context *context, const trk_model *model,
                                              const double *q, trk_modes **out_modes) TRK_MUST_CHECK;
+
+/**
+ * The `count` lowest undamped modes (LINEAR.1), as trk_modes_create_undamped() gives them, but
+ * for large models by shift-invert Lanczos (LINEAR.20): time and memory grow with the entries of
+ * the sparse factor, not with a power of the number of coordinates. Each mode is checked by its
+ * residual, and that none is left out by counting eigenvalues below a frequency (LINEAR.21).
+ *
+ * @param q         [m, rad] working point; NULL for static equilibrium
+ * @param count     number of modes, 1 to the number of coordinates
+ * @param out_modes owned by caller; NULL on failure
+ * @retval TRK_E_RANGE       count is out of range, or the working point is not finite
+ * @retval TRK_E_UNSUPPORTED this build has no LAPACK; the model is large, and it has no ARPACK or
+ *                           CHOLMOD
+ * @retval TRK_E_CONVERGENCE the modes asked for were not found, or one may be missing
+ * Further errors as trk_modes_create_undamped(). Calls from several threads take turns.
+ * Source: R. B. Lehoucq, D. C. Sorensen, C. Yang, ARPACK Users' Guide, SIAM, 1998.
+ */
+TRK_API trk_status trk_modes_create_lowest(trk_context *context, const trk_model *model,
+                                           const double *q, int32_t count,
+                                           trk_modes **out_modes) TRK_MUST_CHECK;
 
 /**
  * Damped modes (LINEAR.2), by rising natural frequency |lambda| / 2 pi: one for each
@@ -122,7 +144,7 @@ TRK_API trk_status trk_frequency_response(trk_context *context, const trk_model 
  *     S_ij = S(f) g_ij exp(i w (x_j - x_i) / speed),   g_ij = 1 on one side, else coherence
  *
  * @param count      number of frequencies
- * @param frequency  [Hz] > 0, length count
+ * @param frequency  [Hz] >= 0, length count
  * @param density    [m^2/Hz] one-sided PSD of the height of one track, length count
  * @param speed      [m/s] > 0
  * @param coherence  [-] of left and right, 0 .. 1: the real ratio of cross spectrum and PSD (the
@@ -136,6 +158,25 @@ TRK_API trk_status trk_road_cross_spectra(trk_context *context, const trk_model 
                                           int64_t count, const double *frequency,
                                           const double *density, double speed,
                                           const double *coherence,
+                                          double *out_input) TRK_MUST_CHECK;
+
+/**
+ * The same for a road of ISO 8608: spectrum (ROAD.1) over the frequency f = n speed, with the
+ * coherence of its tracks (ROAD.2) and its contact length. Seed and ramp do not matter.
+ *
+ * @param road      NULL for the defaults
+ * @param speed     [m/s] > 0
+ * @param count     number of frequencies
+ * @param frequency [Hz] >= 0, length count; outside of low speed .. high speed there is no road
+ * @param out_input [m^2/Hz] as the argument `input` of trk_response_psd(); zero for ports
+ * @retval TRK_E_ARGUMENT a pointer is NULL
+ * @retval TRK_E_OPTIONS  options come from a newer header and set an unknown field
+ * @retval TRK_E_RANGE    an option or a value is out of range
+ * @retval TRK_E_MEMORY   no memory
+ */
+TRK_API trk_status trk_road_input_spectra(trk_context *context, const trk_model *model,
+                                          const trk_road_options *road, double speed,
+                                          int64_t count, const double *frequency,
                                           double *out_input) TRK_MUST_CHECK;
 
 /**
@@ -153,10 +194,10 @@ TRK_API trk_status trk_road_cross_spectra(trk_context *context, const trk_model 
  * @param frequency   [Hz] >= 0, rising, length count
  * @param input       [unit of input i * unit of input j / Hz] count x inputs x inputs complex
  *                    numbers, row-major, interleaved (re, im)
- * @param out_density [unit of the sensor ^2 / Hz] sensors x count, row-major
+ * @param out_density [unit of the sensor ^2 / Hz] sensors x count, row-major; NULL to skip
  * @param out_rms     [unit of the sensor] RMS in the band from the first to the last frequency,
  *                    by the trapezoidal rule, length sensors; NULL to skip
- * @retval TRK_E_ARGUMENT    a pointer is NULL
+ * @retval TRK_E_ARGUMENT    a pointer is NULL, or both outputs are
  * @retval TRK_E_RANGE       a value is not finite or out of range
  * @retval TRK_E_SINGULAR    an undamped resonance lies exactly at a frequency
  * @retval TRK_E_UNSUPPORTED this build has no LAPACK
@@ -193,5 +234,74 @@ TRK_API trk_status trk_response_psd_excited(trk_context *context, const trk_mode
                                             double step, int64_t samples,
                                             const trk_spectrum_options *options,
                                             double *out_density, double *out_rms) TRK_MUST_CHECK;
+
+/** Options of trk_model_linearise(). */
+typedef struct trk_linearise_options {
+    size_t  struct_size;    /**< [byte] set by trk_linearise_options_init()                       */
+    double  tolerance;      /**< [-] > 0, of the stiffness and damping of each link, and of the mean
+                                 elongation in standard deviations; default 1e-6                  */
+    double  relaxation;     /**< [-] > 0, at most 1: share of each correction that is taken; it is
+                                 halved whenever corrections grow; default 1                      */
+    int32_t max_iterations; /**< [-] >= 1; default 100                                            */
+    int32_t reserved;       /**< [-] must be 0                                                    */
+} trk_linearise_options;
+
+/** Set every field to its default. Call as trk_linearise_options_init(&o, sizeof o). */
+TRK_API void trk_linearise_options_init(trk_linearise_options *options, size_t struct_size);
+
+/**
+ * Statistical linearisation: the linear links that are nearest to those of the model, in the mean
+ * square of the force, while the vehicle moves under random inputs (LINEAR.31). Each depends on
+ * how it moves, and the motion on all of them: found by iteration. Curves and laws without memory
+ * are exact for Gaussian motion (LINEAR.32); laws with memory go through harmonic cycles whose
+ * amplitudes are spread as those of narrow-band motion (LINEAR.33). The mean position moves where
+ * forces are not symmetric (LINEAR.35). Without excitation the tangents at rest come out:
+ * friction sticks.
+ *
+ * @param count         number of frequencies
+ * @param frequency     [Hz] as of trk_response_psd(), length count; they must resolve the resonances
+ * @param input         [unit of input i * unit of input j / Hz] as of trk_response_psd()
+ * @param options       NULL for the defaults
+ * @param out_stiffness [N/m or N m/rad] of every link, length links; NULL to skip
+ * @param out_damping   [N s/m or N m s/rad] of every link, length links; NULL to skip
+ * @param out_mean      [m, rad] mean position, measured as the model's coordinates, length
+ *                      coordinates; NULL to skip
+ * @param out_model     the model with these links, without gravity, its coordinates measured from the
+ *                      mean position; it shares nothing with `model` and is owned by caller; NULL
+ *                      on failure; NULL to skip
+ * @retval TRK_E_ARGUMENT    a pointer is NULL
+ * @retval TRK_E_OPTIONS     options come from a newer header and set an unknown field
+ * @retval TRK_E_RANGE       a value is not finite or out of range, or a law leaves what it can do (an
+ *                           air spring without volume); the message names the link
+ * @retval TRK_E_SINGULAR    an undamped resonance lies exactly at a frequency, or nothing holds the
+ *                           mean position against forces that are not symmetric
+ * @retval TRK_E_MODEL       the linear vehicle is unstable: a mode has negative damping
+ * @retval TRK_E_CONVERGENCE no end within max_iterations (the message names the link that changes
+ *                           most), or LAPACK did not converge
+ * @retval TRK_E_UNSUPPORTED this build has no LAPACK
+ * @retval TRK_E_MEMORY      no memory
+ * Source: J. B. Roberts, P. D. Spanos, Random Vibration and Statistical Linearization, 1990.
+ */
+TRK_API trk_status trk_model_linearise(trk_context *context, const trk_model *model, int64_t count,
+                                       const double *frequency, const double *input,
+                                       const trk_linearise_options *options, double *out_stiffness,
+                                       double *out_damping, double *out_mean,
+                                       trk_model **out_model) TRK_MUST_CHECK;
+
+/**
+ * Describing function of a law: stiffness and damping of the spring and damper that give the
+ * harmonic of its force in a settled cycle e = mean + amplitude cos(2 pi frequency t) (LINEAR.33).
+ *
+ * @param mean          [m or rad]
+ * @param amplitude     [m or rad] > 0
+ * @param frequency     [Hz] > 0
+ * @param out_stiffness [N/m or N m/rad] NULL to skip
+ * @param out_damping   [N s/m or N m s/rad] NULL to skip
+ * @retval TRK_E_ARGUMENT a pointer is NULL
+ * @retval TRK_E_RANGE    a value is out of range, or the law leaves what it can do
+ */
+TRK_API trk_status trk_law_describe(trk_context *context, const trk_law *law, double mean,
+                                    double amplitude, double frequency, double *out_stiffness,
+                                    double *out_damping) TRK_MUST_CHECK;
 
 #endif

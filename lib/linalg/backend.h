@@ -15,6 +15,9 @@ typedef struct trk_solver_ops {
     trk_status (*factorize)(void *state, double *values, int32_t *out_bad);
     trk_status (*solve)(void *state, double *x);
     int64_t (*factor_entries)(const void *state);
+    /* As trk_solver_count_negative(); the factorization is lost. */
+    trk_status (*count_negative)(void *state, double *values, const double *scale,
+                                 int32_t *out_count, double *out_growth);
 } trk_solver_ops;
 
 extern const trk_solver_ops trk_dense_ops;

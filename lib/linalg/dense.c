@@ -2,6 +2,7 @@
 /* Dense backend: root-free Cholesky S = L D L^T (LINALG.1), for systems of a few dozen unknowns. */
 #include "linalg/backend.h"
 
+#include <math.h>
 #include <string.h>
 
 /*
@@ -113,6 +114,26 @@ static int64_t factor_entries(const void *state)
     return (int64_t)d->pattern->n * (d->pattern->n + 1) / 2;
 }
 
+static trk_status count_negative(void *state, double *values, const double *scale,
+                                 int32_t *out_count, double *out_growth)
+{
+    dense *d = state;
+    size_t n = (size_t)d->pattern->n;
+    scatter(d, values);
+    for (size_t j = 0; j < n; j++) {
+        double *column = d->square + j * n;
+        double pivot = column[j];
+        if (pivot == 0 || !isfinite(pivot))
+            return TRK_E_SINGULAR;
+        *out_count += pivot < 0;
+        *out_growth = fmax(*out_growth, fabs(pivot) / scale[j]);
+        for (size_t i = j + 1; i < n; i++)
+            *out_growth = fmax(*out_growth, fabs(column[i] / pivot * column[i]) / scale[i]);
+        eliminate(d->square, n, j);
+    }
+    return TRK_OK;
+}
+
 const trk_solver_ops trk_dense_ops = {
     .backend = TRK_BACKEND_DENSE,
     .name = "dense",
@@ -121,4 +142,5 @@ const trk_solver_ops trk_dense_ops = {
     .factorize = factorize,
     .solve = solve,
     .factor_entries = factor_entries,
+    .count_negative = count_negative,
 };

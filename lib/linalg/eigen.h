@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Dense eigenproblems and complex systems: the only users of LAPACK. */
+/* Eigenproblems and complex systems: the only users of LAPACK and ARPACK. */
 #ifndef TRK_LINALG_EIGEN_H
 #define TRK_LINALG_EIGEN_H
 
-#include "base/base.h"
+#include "linalg/solver.h"
 
 /*
- * All: TRK_E_UNSUPPORTED in a build without LAPACK, TRK_E_RANGE when n < 1 or an
+ * All but trk_eigen_lowest(): TRK_E_UNSUPPORTED in a build without LAPACK, TRK_E_RANGE when n < 1 or an
  * entry is not finite, TRK_E_MEMORY. A failure leaves the arrays undefined.
  */
 
@@ -20,6 +20,27 @@
  */
 trk_status trk_eigen_symmetric(trk_context *context, int32_t n, double *k, double *m,
                                double *out_lambda);
+
+/* K phi = lambda M phi of a large pencil, through the factorization of S = K + sigma M. */
+typedef struct trk_pencil {
+    trk_solver *solver; /* S, factorized                                             */
+    const double *mass; /* M, in the pattern of the solver                           */
+    double sigma;       /* > 0: also free bodies, whose K is singular, have an S      */
+} trk_pencil;
+
+/*
+ * `count` pairs of lowest lambda by shift-invert Lanczos with restarts (LINALG.7), ascending;
+ * eigenvectors, mass-normalised, are the rows of out_phi, count x n. `known` pairs found before,
+ * the rows of known_phi, are left out: so copies of a multiple eigenvalue are found that one
+ * starting vector cannot see. known + 2 count + 1 <= n must hold.
+ * TRK_E_UNSUPPORTED: the build has no ARPACK. TRK_E_CONVERGENCE: ARPACK gave up.
+ *
+ * ARPACK keeps its place in static variables. A lock of the process lets one call at a time run;
+ * it cannot keep out a program that calls the same copy of ARPACK by itself.
+ */
+trk_status trk_eigen_lowest(trk_context *context, const trk_pencil *pencil, int32_t known,
+                            const double *known_phi, int32_t count, double *out_lambda,
+                            double *out_phi);
 
 /*
  * General real matrix a (n x n column-major, destroyed), balanced. Eigenvalues

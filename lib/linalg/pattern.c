@@ -115,6 +115,22 @@ void trk_pattern_destroy(trk_context *context, trk_pattern *pattern)
     memset(pattern, 0, sizeof *pattern);
 }
 
+void trk_pattern_multiply(const trk_pattern *pattern, const double *values,
+                          const double *restrict x, double *restrict y)
+{
+    memset(y, 0, (size_t)pattern->n * sizeof *y);
+    for (int32_t j = 0; j < pattern->n; j++) {
+        int32_t k = pattern->start[j];
+        double known = x[j], sum = values[k] * known;
+        for (k++; k < pattern->start[j + 1]; k++) {
+            int32_t i = pattern->row[k];
+            y[i] += values[k] * known;
+            sum += values[k] * x[i];
+        }
+        y[j] += sum;
+    }
+}
+
 double trk_pivot_tolerance(int32_t n)
 {
     return n * DBL_EPSILON;

@@ -24,6 +24,10 @@ trk_status trk_pattern_create(trk_context *context, int32_t n, int64_t count, co
                               const int32_t *columns, int64_t *out_slots, trk_pattern *out_pattern);
 void trk_pattern_destroy(trk_context *context, trk_pattern *pattern);
 
+/* y := S x with the values of the lower triangle of a symmetric S. */
+void trk_pattern_multiply(const trk_pattern *pattern, const double *values,
+                          const double *restrict x, double *restrict y);
+
 /* Cholesky pivots up to this fraction of their diagonal entry count as zero (LINALG.2). */
 double trk_pivot_tolerance(int32_t n);
 

@@ -134,6 +134,20 @@ trk_status trk_solver_solve(trk_solver *solver, double *x)
     return solver->ops->solve(solver->state, x);
 }
 
+const trk_pattern *trk_solver_pattern(const trk_solver *solver)
+{
+    return &solver->pattern;
+}
+
+trk_status trk_solver_count_negative(trk_solver *solver, const double *scale, int32_t *out_count,
+                                     double *out_growth)
+{
+    *out_count = 0;
+    *out_growth = 0;
+    solver->factorized = false;
+    return solver->ops->count_negative(solver->state, solver->values, scale, out_count, out_growth);
+}
+
 int64_t trk_solver_factor_entries(const trk_solver *solver)
 {
     return solver->ops->factor_entries(solver->state);

@@ -18,7 +18,7 @@
 #ifndef TRK_LINALG_SOLVER_H
 #define TRK_LINALG_SOLVER_H
 
-#include "base/base.h"
+#include "linalg/pattern.h"
 
 typedef struct trk_solver trk_solver;
 
@@ -56,6 +56,19 @@ trk_status trk_solver_factorize(trk_solver *solver, int32_t *out_bad);
  * TRK_E_ARGUMENT: the last factorization failed, or there was none.
  */
 trk_status trk_solver_solve(trk_solver *solver, double *x);
+
+/* Where the values stand; owned by the solver. */
+const trk_pattern *trk_solver_pattern(const trk_solver *solver);
+
+/*
+ * Negative eigenvalues of the current values, which need not be definite, by Sylvester's law of
+ * inertia (LINALG.6). scale: positive, length n, the sizes of the diagonal entries before what
+ * made the matrix indefinite was subtracted. The factorization may be trusted while eps *out_growth
+ * stays below the relative size of a change that matters. The last factorization of the solver
+ * is lost. TRK_E_SINGULAR (no message recorded): a pivot is zero.
+ */
+trk_status trk_solver_count_negative(trk_solver *solver, const double *scale, int32_t *out_count,
+                                     double *out_growth);
 
 /* Entries of the factor, a measure of the cost of solve(). */
 int64_t trk_solver_factor_entries(const trk_solver *solver);

@@ -9,6 +9,7 @@
 #define NMODIFY
 #define NMATRIXOPS
 #include <cholmod.h>
+#include <math.h>
 
 typedef struct sparse {
     trk_context *context;
@@ -174,6 +175,42 @@ static int64_t factor_entries(const void *state)
     return entries;
 }
 
+/* Signs of D and growth of L D L^T, whose columns begin with the entry of D. */
+static void read_inertia(const cholmod_factor *f, const double *scale, int32_t *out_count,
+                         double *out_growth)
+{
+    const int *permutation = f->Perm, *start = f->p, *row = f->i, *length = f->nz;
+    const double *l = f->x;
+    for (size_t k = 0; k < f->n; k++) {
+        double pivot = l[start[k]];
+        *out_count += pivot < 0;
+        *out_growth = fmax(*out_growth, fabs(pivot) / scale[permutation[k]]);
+        for (int32_t p = start[k] + 1; p < start[k] + length[k]; p++)
+            *out_growth = fmax(*out_growth, fabs(l[p] * pivot * l[p]) / scale[permutation[row[p]]]);
+    }
+}
+
+/* L D L^T in the place of L L^T, which is taken down before and after. */
+static trk_status count_negative(void *state, double *values, const double *scale,
+                                 int32_t *out_count, double *out_growth)
+{
+    sparse *s = state;
+    s->matrix.x = values;
+    s->matrix.xtype = CHOLMOD_REAL;
+    s->common.final_ll = 0;
+    bool good = cholmod_change_factor(CHOLMOD_PATTERN, 0, 0, 0, 0, s->factor, &s->common) &&
+                cholmod_factorize(&s->matrix, s->factor, &s->common) &&
+                s->common.status >= CHOLMOD_OK;
+    trk_status status = good ? TRK_OK : cholmod_failure(s, "inertia");
+    if (good && s->factor->minor < s->factor->n)
+        status = TRK_E_SINGULAR;
+    if (status == TRK_OK)
+        read_inertia(s->factor, scale, out_count, out_growth);
+    s->common.final_ll = 1;
+    cholmod_change_factor(CHOLMOD_PATTERN, 1, 0, 0, 0, s->factor, &s->common);
+    return status;
+}
+
 const trk_solver_ops trk_cholmod_ops = {
     .backend = TRK_BACKEND_SPARSE,
     .name = "sparse",
@@ -182,6 +219,7 @@ const trk_solver_ops trk_cholmod_ops = {
     .factorize = factorize,
     .solve = solve,
     .factor_entries = factor_entries,
+    .count_negative = count_negative,
 };
 
 #endif

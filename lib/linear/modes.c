@@ -2,6 +2,8 @@
 /* A set of modes: memory, energy, labels, queries. */
 #include "linear/modes.h"
 
+#include "model/model.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -56,21 +58,28 @@ void trk_modes_clear_rounding(int32_t n, double *omega_squared)
             omega_squared[k] = 0;
 }
 
-/* Energy shares of one mode (LINEAR.4); returns phi^H M phi. */
-static double find_energy(const double *mass, int32_t n, const double *re, const double *im,
-                          double *share)
+void trk_modes_take_roots(trk_modes *modes)
 {
-    double total = 0;
-    for (int32_t i = 0; i < n; i++) {
-        double m_re = 0, m_im = 0;
-        for (int32_t j = 0; j < n; j++) {
-            m_re += mass[(int64_t)i * n + j] * re[j];
-            m_im += mass[(int64_t)i * n + j] * im[j];
-        }
-        share[i] = re[i] * m_re + im[i] * m_im;
-        total += share[i];
+    for (int32_t k = 0; k < modes->count; k++)
+        modes->lambda_im[k] = copysign(sqrt(fabs(modes->lambda_im[k])), modes->lambda_im[k]);
+}
+
+/* Energy shares of one mode (LINEAR.4), row by row of the inertia; returns phi^H M phi. */
+static double find_energy(const trk_model *model, const double *re, const double *im, double *share)
+{
+    const trk_rows *rows = &model->inertia;
+    memset(share, 0, (size_t)model->n * sizeof *share);
+    for (int32_t r = 0; r < rows->count; r++) {
+        double x = model->mass[r] * trk_rows_dot(rows, r, re),
+               y = model->mass[r] * trk_rows_dot(rows, r, im);
+        for (int64_t k = rows->start[r]; k < rows->start[r + 1]; k++)
+            share[rows->column[k]] +=
+                rows->value[k] * (re[rows->column[k]] * x + im[rows->column[k]] * y);
     }
-    for (int32_t i = 0; i < n; i++)
+    double total = 0;
+    for (int32_t i = 0; i < model->n; i++)
+        total += share[i];
+    for (int32_t i = 0; i < model->n; i++)
         share[i] /= total;
     return total;
 }
@@ -101,18 +110,13 @@ static void normalise(int32_t n, double norm, int32_t dominant, double *re, doub
 trk_status trk_modes_finish(trk_modes *modes, const trk_model *model)
 {
     int32_t n = modes->n;
-    double *mass = trk_new(modes->context, (int64_t)n * n, sizeof *mass);
-    if (!mass)
-        return TRK_E_MEMORY;
-    trk_model_get_mass(model, mass);
     for (int32_t k = 0; k < modes->count; k++) {
         double *re = modes->re + (int64_t)k * n, *im = modes->im + (int64_t)k * n;
         double *share = modes->share + (int64_t)k * n;
-        double norm = find_energy(mass, n, re, im, share);
+        double norm = find_energy(model, re, im, share);
         modes->dominant[k] = find_dominant(n, share);
         normalise(n, norm, modes->dominant[k], re, im);
     }
-    trk_free(modes->context, mass);
     for (int32_t k = 0; k < modes->count; k++) {
         modes->label[k] =
             trk_copy_text(modes->context,

@@ -22,6 +22,9 @@ trk_status trk_modes_allocate(trk_context *context, int32_t n, int32_t capacity,
 /* Eigenvalues omega^2 are known to rounding of the largest: make those of a free body zero. */
 void trk_modes_clear_rounding(int32_t n, double *omega_squared);
 
+/* omega^2 in lambda_im becomes omega, with the sign of omega^2. */
+void trk_modes_take_roots(trk_modes *modes);
+
 /* Energy, phase, label and norm of all modes, once lambda and raw shapes are there. */
 trk_status trk_modes_finish(trk_modes *modes, const trk_model *model);
 

@@ -18,26 +18,32 @@ static double complex dot(const trk_rows *rows, int32_t row, const double comple
     return sum;
 }
 
+double complex trk_random_elongation(const trk_superposition *s, int32_t link, int32_t input)
+{
+    const trk_rows *roads = &s->model->roads;
+    double complex e = dot(&s->model->links, link, s->q + (int64_t)input * s->n);
+    for (int64_t k = roads->start[link]; k < roads->start[link + 1]; k++)
+        if (roads->column[k] == input)
+            e -= roads->value[k];
+    return e;
+}
+
 /* Sensor for unit input j at omega, whose coordinates are q. */
 static double complex sensor_value(const trk_superposition *s, int32_t sensor, int32_t input,
                                    double omega)
 {
     const trk_model *model = s->model;
-    const double complex *q = s->q + (int64_t)input * s->n;
     int32_t link = model->sensor_link[sensor];
     double complex iw = trk_complex(0, omega);
     if (link < 0) {
-        double complex x = dot(&model->sensors, sensor, q);
+        double complex x = dot(&model->sensors, sensor, s->q + (int64_t)input * s->n);
         switch (model->sensor_quantity[sensor]) {
         case TRK_QUANTITY_DISPLACEMENT: return x;
         case TRK_QUANTITY_VELOCITY: return iw * x;
         default: return -omega * omega * x;
         }
     }
-    double complex e = dot(&model->links, link, q);
-    for (int64_t k = model->roads.start[link]; k < model->roads.start[link + 1]; k++)
-        if (model->roads.column[k] == input)
-            e -= model->roads.value[k];
+    double complex e = trk_random_elongation(s, link, input);
     switch (model->sensor_quantity[sensor]) {
     case TRK_QUANTITY_ELONGATION: return e;
     case TRK_QUANTITY_RATE: return iw * e;
@@ -45,8 +51,7 @@ static double complex sensor_value(const trk_superposition *s, int32_t sensor, i
     }
 }
 
-/* sum over i, j of conj(h_i) h_j S_ij, S Hermitian. */
-static double quadratic_form(int32_t inputs, const double complex *h, const double *input)
+double trk_random_form(int32_t inputs, const double complex *h, const double *input)
 {
     double sum = 0;
     for (int32_t i = 0; i < inputs; i++)
@@ -72,17 +77,16 @@ trk_status trk_random_response(trk_superposition *s, int64_t count, const double
             for (int32_t j = 0; j < inputs; j++)
                 h[j] = sensor_value(s, k, j, omega);
             out_density[k * count + f] =
-                quadratic_form(inputs, h, input + 2 * f * (int64_t)inputs * inputs);
+                trk_random_form(inputs, h, input + 2 * f * (int64_t)inputs * inputs);
         }
     }
     trk_free(s->context, h);
     return status;
 }
 
-static trk_status check(trk_context *context, const trk_model *model, int64_t count,
-                        const double *frequency, const double *input)
+trk_status trk_random_check(trk_context *context, const char *what, const trk_model *model,
+                            int64_t count, const double *frequency, const double *input)
 {
-    static const char what[] = "trk_response_psd";
     int64_t inputs = (int64_t)trk_model_count(model, TRK_PART_ROAD) + model->ports.count;
     if (count < 1)
         return trk_fail(context, TRK_E_RANGE, "%s: count is %lld; at least 1 is needed", what,
@@ -118,6 +122,20 @@ static double find_rms(int64_t count, const double *frequency, const double *den
     return sqrt(sum);
 }
 
+static trk_status respond(trk_context *context, const trk_model *model, const double *q,
+                          const double *v, int64_t count, const double *frequency,
+                          const double *input, double *out_density, double *out_rms)
+{
+    trk_superposition s;
+    trk_status status = trk_superposition_create(context, model, q, v, &s);
+    if (status == TRK_OK)
+        status = trk_random_response(&s, count, frequency, input, out_density);
+    trk_superposition_clear(&s);
+    for (int32_t k = 0; status == TRK_OK && out_rms && k < model->sensors.count; k++)
+        out_rms[k] = find_rms(count, frequency, out_density + k * count);
+    return status;
+}
+
 trk_status trk_response_psd(trk_context *context, const trk_model *model, const double *q,
                             const double *v, int64_t count, const double *frequency,
                             const double *input, double *out_density, double *out_rms)
@@ -126,16 +144,18 @@ trk_status trk_response_psd(trk_context *context, const trk_model *model, const 
     TRK_REQUIRE(context, model, "trk_response_psd");
     TRK_REQUIRE(context, frequency, "trk_response_psd");
     TRK_REQUIRE(context, input, "trk_response_psd");
-    TRK_REQUIRE(context, out_density, "trk_response_psd");
-    trk_superposition s;
-    trk_status status = check(context, model, count, frequency, input);
+    if (!out_density && !out_rms)
+        return trk_fail(context, TRK_E_ARGUMENT,
+                        "trk_response_psd: out_density and out_rms are NULL");
+    trk_status status =
+        trk_random_check(context, "trk_response_psd", model, count, frequency, input);
     if (status != TRK_OK)
         return status;
-    status = trk_superposition_create(context, model, q, v, &s);
-    if (status == TRK_OK)
-        status = trk_random_response(&s, count, frequency, input, out_density);
-    trk_superposition_clear(&s);
-    for (int32_t k = 0; status == TRK_OK && out_rms && k < model->sensors.count; k++)
-        out_rms[k] = find_rms(count, frequency, out_density + k * count);
+    double *density = out_density;
+    if (!density && !(density = trk_new(context, model->sensors.count * count, sizeof *density)))
+        return TRK_E_MEMORY;
+    status = respond(context, model, q, v, count, frequency, input, density, out_rms);
+    if (!out_density)
+        trk_free(context, density);
     return status;
 }

@@ -15,12 +15,17 @@ static trk_status check(trk_context *context, const trk_model *model, const char
     return TRK_OK;
 }
 
+trk_status trk_check_working_point(trk_context *context, const trk_model *model, const double *q,
+                                   const double *v)
+{
+    trk_status status = check(context, model, "displacement", q);
+    return status == TRK_OK ? check(context, model, "velocity", v) : status;
+}
+
 trk_status trk_tangent_create(trk_context *context, const trk_model *model, const double *q,
                               const double *v, trk_tangent *out)
 {
-    trk_status status = check(context, model, "displacement", q);
-    if (status == TRK_OK)
-        status = check(context, model, "velocity", v);
+    trk_status status = trk_check_working_point(context, model, q, v);
     if (status != TRK_OK)
         return status;
     int32_t n = trk_model_count(model, TRK_PART_COORDINATE);

@@ -13,6 +13,10 @@ typedef struct trk_tangent {
 } trk_tangent;
 
 /* TRK_E_RANGE: q or v (NULL allowed) is not finite, the message names the coordinate. */
+trk_status trk_check_working_point(trk_context *context, const trk_model *model, const double *q,
+                                   const double *v);
+
+/* Errors as trk_check_working_point(). */
 trk_status trk_tangent_create(trk_context *context, const trk_model *model, const double *q,
                               const double *v, trk_tangent *out);
 

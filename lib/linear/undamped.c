@@ -5,7 +5,6 @@
 
 #include "linalg/eigen.h"
 
-#include <math.h>
 #include <string.h>
 
 static trk_status solve(const trk_model *model, trk_tangent *tangent, trk_modes *modes)
@@ -16,11 +15,10 @@ static trk_status solve(const trk_model *model, trk_tangent *tangent, trk_modes 
     if (status != TRK_OK)
         return status;
     trk_modes_clear_rounding(n, modes->lambda_im);
-    for (int32_t k = 0; k < n; k++)
-        modes->lambda_im[k] = copysign(sqrt(fabs(modes->lambda_im[k])), modes->lambda_im[k]);
+    modes->count = n;
+    trk_modes_take_roots(modes);
     /* Column k of the result is row k of the shapes. */
     memcpy(modes->re, tangent->stiffness, (size_t)n * (size_t)n * sizeof *modes->re);
-    modes->count = n;
     return trk_modes_finish(modes, model);
 }
 

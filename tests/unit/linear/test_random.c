@@ -213,6 +213,87 @@ static void test_road_spectra(void **state)
     trk_model_destroy(model);
 }
 
+/* A road of ISO 8608 in one call, from standstill of the waves to beyond its band. */
+static void test_road_by_options(void **state)
+{
+    enum { COUNT = 40 };
+    trk_model *model = builtin(*state, TRK_VEHICLE_REFERENCE_TRUCK);
+    const int32_t inputs =
+        trk_model_count(model, TRK_PART_ROAD) + trk_model_count(model, TRK_PART_PORT);
+    const double speed = 80 / 3.6;
+    double f[COUNT], n[COUNT], density[COUNT], coherence[COUNT];
+    double out[2 * COUNT * 8 * 8], expected[2 * COUNT * 8 * 8];
+    assert_true(inputs <= 8);
+    trk_road_options road;
+    trk_road_options_init(&road, sizeof road);
+    road.unevenness = trk_road_class_unevenness(TRK_ROAD_CLASS_C);
+    road.contact_length = 0.2;
+    for (int k = 0; k < COUNT; k++) {
+        f[k] = 2 * k; /* 0 Hz, too */
+        n[k] = f[k] / speed;
+    }
+    assert_ok(*state, trk_road_density(*state, &road, COUNT, n, density));
+    assert_ok(*state, trk_road_coherence(*state, &road, COUNT, n, coherence));
+    for (int k = 0; k < COUNT; k++)
+        density[k] /= speed;
+    assert_ok(*state,
+              trk_road_cross_spectra(*state, model, COUNT, f, density, speed, coherence, expected));
+    assert_ok(*state, trk_road_input_spectra(*state, model, &road, speed, COUNT, f, out));
+    assert_memory_equal(out, expected, sizeof(double) * 2 * COUNT * (size_t)(inputs * inputs));
+    assert_true(out[0] == 0 && out[2 * inputs * inputs] > 0);
+    assert_true(out[2 * (COUNT - 1) * inputs * inputs] == 0); /* 3.5 cycles/m */
+    /* a finite density at 0 Hz is one, in phase under all wheels */
+    const double still = 0, one = 1;
+    assert_ok(*state, trk_road_cross_spectra(*state, model, 1, &still, &one, speed, NULL, out));
+    for (int32_t k = 0; k < trk_model_count(model, TRK_PART_ROAD); k++)
+        assert_true(out[2 * k] == 1 && out[2 * k + 1] == 0);
+
+    assert_ok(*state, trk_road_input_spectra(*state, model, NULL, speed, COUNT, f, out));
+    static const double bad[] = {-1, NAN, INFINITY};
+    for (int k = 0; k < 3; k++) {
+        assert_status(*state, trk_road_input_spectra(*state, model, &road, bad[k], 1, f, out),
+                      TRK_E_RANGE);
+        assert_message(*state, "speed is");
+        assert_status(*state, trk_road_input_spectra(*state, model, &road, speed, 1, &bad[k], out),
+                      TRK_E_RANGE);
+        assert_message(*state, "frequency[0] is");
+    }
+    assert_status(*state, trk_road_input_spectra(*state, model, &road, 0, 1, f, out), TRK_E_RANGE);
+    assert_status(*state, trk_road_input_spectra(*state, model, &road, speed, -1, f, out),
+                  TRK_E_RANGE);
+    road.waviness = 9;
+    assert_status(*state, trk_road_input_spectra(*state, model, &road, speed, 1, f, out),
+                  TRK_E_RANGE);
+    assert_message(*state, "waviness is 9");
+    assert_status(NULL, trk_road_input_spectra(NULL, model, NULL, speed, 1, f, out),
+                  TRK_E_ARGUMENT);
+    assert_status(*state, trk_road_input_spectra(*state, NULL, NULL, speed, 1, f, out),
+                  TRK_E_ARGUMENT);
+    assert_status(*state, trk_road_input_spectra(*state, model, NULL, speed, 1, NULL, out),
+                  TRK_E_ARGUMENT);
+    assert_status(*state, trk_road_input_spectra(*state, model, NULL, speed, 1, f, NULL),
+                  TRK_E_ARGUMENT);
+    trk_model_destroy(model);
+}
+
+/* RMS values alone are those that come with the spectra. */
+static void test_rms_without_spectra(void **state)
+{
+    enum { COUNT = 50 };
+    trk_model *model = builtin(*state, TRK_VEHICLE_REFERENCE_FRONT);
+    double f[COUNT], input[2 * COUNT * 4 * 4], density[COUNT * 8], with[8], without[8];
+    const int32_t sensors = trk_model_count(model, TRK_PART_SENSOR);
+    assert_true(sensors <= 8);
+    for (int k = 0; k < COUNT; k++)
+        f[k] = 0.3 * (k + 1);
+    assert_ok(*state, trk_road_input_spectra(*state, model, NULL, 20, COUNT, f, input));
+    assert_ok(*state, trk_response_psd(*state, model, NULL, NULL, COUNT, f, input, density, with));
+    assert_ok(*state, trk_response_psd(*state, model, NULL, NULL, COUNT, f, input, NULL, without));
+    for (int32_t k = 0; k < sensors; k++)
+        assert_true(with[k] == without[k] && with[k] > 0);
+    trk_model_destroy(model);
+}
+
 static void test_errors(void **state)
 {
     trk_model *model = builtin(*state, TRK_VEHICLE_REFERENCE_FRONT);
@@ -264,6 +345,10 @@ static trk_status respond(trk_context *context)
         status = trk_response_psd(context, model, NULL, NULL, 2, frequency, input, out, rms);
     if (status == TRK_OK)
         status = trk_road_cross_spectra(context, model, 2, frequency, frequency, 20, NULL, input);
+    if (status == TRK_OK)
+        status = trk_road_input_spectra(context, model, NULL, 20, 2, frequency, input);
+    if (status == TRK_OK)
+        status = trk_response_psd(context, model, NULL, NULL, 2, frequency, input, NULL, rms);
     trk_model_destroy(model);
     trk_spec_destroy(spec);
     return status;
@@ -289,6 +374,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_equals_frequency_response, support_setup,
                                         support_teardown),
         cmocka_unit_test_setup_teardown(test_road_spectra, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(test_road_by_options, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(test_rms_without_spectra, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(test_errors, support_setup, support_teardown),
         cmocka_unit_test(test_lack_of_memory),
     };

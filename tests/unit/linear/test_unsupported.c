@@ -23,6 +23,13 @@ static void says_so(void **state)
                   trk_frequency_response(context, model, NULL, NULL, 1, &f, NULL, NULL, NULL, y),
                   TRK_E_UNSUPPORTED);
     assert_message(context, "LAPACK");
+    const double input[2] = {1, 0};
+    trk_model *linear = model;
+    assert_status(
+        context, trk_model_linearise(context, model, 1, &f, input, NULL, NULL, NULL, NULL, &linear),
+        TRK_E_UNSUPPORTED);
+    assert_null(linear);
+    assert_message(context, "LAPACK");
     trk_model_destroy(model);
 }
 
