@@ -114,4 +114,70 @@ TRK_API trk_status trk_road_coherence(trk_context *context, const trk_road_optio
                                       int64_t count, const double *wavenumber,
                                       double *out_coherence) TRK_MUST_CHECK;
 
+/*
+ * What of a profile a tire passes on (enveloping). A profile is given by equally spaced heights,
+ * linear between them and level beyond its ends. Heights and slopes that come out make a signal with
+ * trk_signal_create_samples(), as any profile for trk_excitation_add_profile().
+ */
+
+/**
+ * Moving average over the length of the contact patch (ROAD.11), the exact integral.
+ *
+ * @param count      number of heights, >= 1
+ * @param spacing    [m] > 0
+ * @param height     [m] at most 1e12, length count
+ * @param length     [m] of the patch, half ahead and half behind; > 0
+ * @param out_height [m] length count; not `height`
+ * @param out_slope  [-] exact derivative at the samples, length count; NULL to skip
+ * @retval TRK_E_ARGUMENT a pointer is NULL
+ * @retval TRK_E_RANGE    a value is out of range; the message names it
+ * @retval TRK_E_MEMORY   no memory
+ */
+TRK_API trk_status trk_envelope_average(trk_context *context, int64_t count, double spacing,
+                                        const double *height, double length, double *out_height,
+                                        double *out_slope) TRK_MUST_CHECK;
+
+/**
+ * By how much the moving average changes a wave (ROAD.11): sin(pi n l) / (pi n l) [-]. Negative where the
+ * wave comes out upside down.
+ *
+ * @param wavenumber [1/m] n
+ * @param length     [m] l
+ */
+TRK_API double trk_envelope_weight(double wavenumber, double length);
+
+/**
+ * Rigid tread band (ROAD.12): height of the hub of a rigid wheel that rolls over the profile, less
+ * its radius. Exact for the profile between the samples, too.
+ *
+ * @param spacing    [m] > 0
+ * @param height     [m] at most 1e12, length count
+ * @param radius     [m] > 0
+ * @param out_height [m] length count; not `height`
+ * @param out_slope  [-] of the path of the hub, at a corner one of both; length count; NULL to skip
+ * Further arguments and errors as trk_envelope_average(). Takes no memory.
+ * Source: K. Captain, A. Boghani, D. Wormley, Vehicle System Dynamics 8 (1979) 1-32.
+ */
+TRK_API trk_status trk_envelope_rigid_band(trk_context *context, int64_t count, double spacing,
+                                           const double *height, double radius, double *out_height,
+                                           double *out_slope) TRK_MUST_CHECK;
+
+/**
+ * A profile as a tire passes it on, over the distance start to start + (count - 1) spacing: rigid tread
+ * band, then moving average of its hub heights.
+ *
+ * @param profile    [m over m] from trk_crg_profile(), trk_signal_read_csv(), trk_road_create(), ...
+ * @param start      [m]
+ * @param spacing    [m] > 0; a tenth of the patch or of the shortest wave, or less
+ * @param count      number of samples, >= 2
+ * @param radius     [m] of the tread band; 0 for none
+ * @param length     [m] of the average; 0 for none
+ * @param out_signal owned by caller; NULL on failure; its ends are held
+ * @retval TRK_E_RANGE a value is out of range, or both radius and length are 0
+ * Further errors as trk_envelope_average() and trk_envelope_rigid_band().
+ */
+TRK_API trk_status trk_envelope_signal(trk_context *context, const trk_signal *profile,
+                                       double start, double spacing, int64_t count, double radius,
+                                       double length, trk_signal **out_signal) TRK_MUST_CHECK;
+
 #endif

@@ -2,9 +2,6 @@
 /* Density and coherence over wavenumber, for calculations in the frequency domain. */
 #include "base/plain.h"
 #include "road/road.h"
-#include "signal/turn.h"
-
-static const double pi = 3.14159265358979323846;
 
 double trk_road_power_law(const trk_road_options *options, double wavenumber)
 {
@@ -35,17 +32,8 @@ trk_status trk_road_density(trk_context *context, const trk_road_options *option
     if (status == TRK_OK)
         status = check(context, count, wavenumber);
     for (int64_t k = 0; status == TRK_OK && k < count; k++) {
-        const double n = wavenumber[k], turns = 0.5 * n * o.contact_length;
-        double sine = 0, cosine, average = 1;
-        if (n < o.low || n > o.high) {
-            out_density[k] = 0;
-            continue;
-        }
-        if (turns > 0) {
-            trk_turn_sincos(trk_turn_fraction(turns), &sine, &cosine);
-            average = sine / (2 * pi * turns);
-        }
-        out_density[k] = trk_road_power_law(&o, n) * average * average;
+        const double n = wavenumber[k], weight = trk_envelope_weight(n, o.contact_length);
+        out_density[k] = n < o.low || n > o.high ? 0 : trk_road_power_law(&o, n) * weight * weight;
     }
     return status;
 }
