@@ -41,7 +41,7 @@ bool trk_field_line(trk_text *text)
     return false;
 }
 
-static trk_status read_quoted(trk_text *text, trk_field *field)
+static trk_status read_quoted(trk_text *text, trk_csv_field *field)
 {
     const trk_slice quote = {text->at, text->at};
     const trk_text begin = *text;
@@ -63,9 +63,9 @@ static trk_status read_quoted(trk_text *text, trk_field *field)
     return trk_text_fail(&begin, quote, "this quote is not closed", NULL);
 }
 
-trk_status trk_field_next(trk_text *text, char separator, trk_field *out_field)
+trk_status trk_field_next(trk_text *text, char separator, trk_csv_field *out_field)
 {
-    *out_field = (trk_field){{text->at, text->at}, false, false};
+    *out_field = (trk_csv_field){{text->at, text->at}, false, false};
     while (text->at < text->end && *text->at != separator && is_blank(*text->at))
         text->at++;
     if (separator == ' ') /* runs of blanks and tabs, those in front of the first field too */
@@ -107,7 +107,7 @@ trk_status trk_field_next(trk_text *text, char separator, trk_field *out_field)
 /* Fields of the next line, 0 at the end or in a line that cannot be read. */
 static int64_t count_fields(trk_text *text, char separator)
 {
-    trk_field field = {{NULL, NULL}, false, false};
+    trk_csv_field field = {{NULL, NULL}, false, false};
     int64_t count = 0;
     if (!trk_field_line(text))
         return 0;

@@ -18,8 +18,10 @@ static int sequence(const unsigned char *p, const unsigned char *end)
     return bad ? 0 : length;
 }
 
-static bool is_utf8(const unsigned char *p, const unsigned char *end)
+bool trk_is_utf8(trk_slice slice)
 {
+    const unsigned char *p = (const unsigned char *)slice.begin,
+                        *end = (const unsigned char *)slice.end;
     for (int length; p < end; p += length)
         if ((length = sequence(p, end)) == 0)
             return false;
@@ -30,7 +32,7 @@ void trk_label_copy(trk_slice slice, bool quoted, char *out, size_t size)
 {
     const unsigned char *p = (const unsigned char *)slice.begin,
                         *end = (const unsigned char *)slice.end;
-    const bool utf8 = is_utf8(p, end);
+    const bool utf8 = trk_is_utf8(slice);
     size_t used = 0;
     while (p < end) {
         const int length = utf8 ? sequence(p, end) : 1;

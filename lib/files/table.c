@@ -56,14 +56,15 @@ static char point_of(const trk_table *table)
     return table->options.decimal_comma ? ',' : '.';
 }
 
-static bool is_number(const trk_table *table, const trk_field *field, double *out_value)
+static bool is_number(const trk_table *table, const trk_csv_field *field, double *out_value)
 {
     return trk_number_read(field->text.begin, field->text.end, point_of(table), out_value) ==
                field->text.end &&
            field->text.begin < field->text.end;
 }
 
-static trk_status fail_number(const trk_table *table, const trk_text *text, const trk_field *field)
+static trk_status fail_number(const trk_table *table, const trk_text *text,
+                              const trk_csv_field *field)
 {
     double value;
     const trk_slice slice = field->text;
@@ -79,7 +80,7 @@ static trk_status fail_number(const trk_table *table, const trk_text *text, cons
 }
 
 /* A number with a decimal point or comma: not a name, even where it is not allowed. */
-static bool looks_like_number(const trk_field *field)
+static bool looks_like_number(const trk_csv_field *field)
 {
     double value;
     const trk_slice s = field->text;
@@ -87,13 +88,14 @@ static bool looks_like_number(const trk_field *field)
                                trk_number_read(s.begin, s.end, ',', &value) == s.end);
 }
 
-static bool is_empty(const trk_field *field)
+static bool is_empty(const trk_csv_field *field)
 {
     return field->text.begin == field->text.end;
 }
 
 /* One row of fields. */
-static trk_status read_labels(trk_table *table, trk_text *text, trk_field **out, int32_t *out_count)
+static trk_status read_labels(trk_table *table, trk_text *text, trk_csv_field **out,
+                              int32_t *out_count)
 {
     int64_t capacity = 0;
     *out_count = 0;
@@ -126,7 +128,7 @@ static trk_status read_row(trk_table *table, trk_text *text)
     trk_status status = trk_grow(table->context, (void **)&table->values, &table->capacity,
                                  (table->rows + 1) * table->columns, sizeof *table->values);
     double *row = table->values + table->rows * table->columns;
-    trk_field field = {{text->at, text->at}, false, false};
+    trk_csv_field field = {{text->at, text->at}, false, false};
     int32_t count = 0;
     while (status == TRK_OK && !field.last) {
         trk_text before = *text;
@@ -174,7 +176,7 @@ static trk_status read_units(trk_table *table, trk_text *text)
 /* Columns of the first row of numbers; a separator at its end does not make one more. */
 static trk_status count_columns(trk_table *table, trk_text text)
 {
-    trk_field *fields = NULL;
+    trk_csv_field *fields = NULL;
     if (!trk_field_line(&text)) {
         table->columns = table->name_count;
         return TRK_OK;
@@ -244,7 +246,7 @@ trk_status trk_table_parse(trk_table *table, const void *bytes, size_t size)
 int64_t trk_table_line(const trk_table *table, int64_t row)
 {
     trk_text text = table->body;
-    trk_field field = {{NULL, NULL}, true, true};
+    trk_csv_field field = {{NULL, NULL}, true, true};
     for (int64_t k = -1; k < row && trk_field_line(&text); k++)
         for (field.last = k < 0; !field.last;)
             if (trk_field_next(&text, table->separator, &field))
@@ -274,13 +276,13 @@ void trk_table_label(const trk_table *table, int32_t column, char *out_name, cha
 {
     *out_name = *out_unit = '\0';
     if (column < table->name_count) {
-        const trk_field *field = &table->names[column];
+        const trk_csv_field *field = &table->names[column];
         trk_slice name = field->text, unit = split_unit(&name);
         trk_label_copy(name, field->quoted, out_name, TRK_LABEL);
         trk_label_copy(unit, field->quoted, out_unit, TRK_LABEL);
     }
     if (column < table->unit_count) {
-        const trk_field *field = &table->units[column];
+        const trk_csv_field *field = &table->units[column];
         trk_slice rest = field->text, unit = split_unit(&rest);
         trk_label_copy(unit.begin < unit.end ? unit : field->text, field->quoted, out_unit,
                        TRK_LABEL);

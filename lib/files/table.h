@@ -6,19 +6,19 @@
 #include "files/text.h"
 #include <truckride/files.h>
 
-typedef struct trk_field {
+typedef struct trk_csv_field {
     trk_slice text; /* without its quotes */
     bool quoted, last;
-} trk_field;
+} trk_csv_field;
 
 typedef struct trk_table {
     trk_context *context;
     const char *name; /* of the file                                       */
     trk_csv_options options;
     int32_t columns;
-    int64_t rows, capacity;   /* capacity: of values                               */
-    double *values;           /* rows x columns                                    */
-    trk_field *names, *units; /* NULL: none                                        */
+    int64_t rows, capacity;       /* capacity: of values                               */
+    double *values;               /* rows x columns                                    */
+    trk_csv_field *names, *units; /* NULL: none                                        */
     int32_t name_count, unit_count;
     trk_text body; /* the rows, in the bytes                            */
     char separator;
@@ -41,7 +41,7 @@ void trk_table_label(const trk_table *table, int32_t column, char *out_name, cha
 char trk_table_sniff(trk_text text);
 
 /* Next field of the line that text stands in. Quoted fields may hold line ends. TRK_E_SYNTAX. */
-trk_status trk_field_next(trk_text *text, char separator, trk_field *out_field);
+trk_status trk_field_next(trk_text *text, char separator, trk_csv_field *out_field);
 
 /* To the next line that is neither empty nor a comment; false at the end. */
 bool trk_field_line(trk_text *text);

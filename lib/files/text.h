@@ -40,6 +40,9 @@ trk_slice trk_trim(trk_slice slice);
 bool trk_slice_is(trk_slice slice, const char *word);
 bool trk_slice_begins(trk_slice slice, const char *word);
 
+/* Whether the bytes are UTF-8 (RFC 3629). */
+bool trk_is_utf8(trk_slice slice);
+
 /*
  * Copy as a label of at most size - 1 bytes: UTF-8 as it is if the slice is, else ISO 8859-1
  * converted; doubled quotes made single if it was quoted; control characters become blanks.
