@@ -138,17 +138,17 @@ static int work(job *j, int rank, int ranks)
 
 int main(int argc, char **argv)
 {
-    static job j;
+    static job j = {.program = "truckride-study-mpi"};
     int rank, ranks;
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    int code = job_open(&j, argc, argv, rank == 0);
+    int code = job_open(&j, argc - 1, argv + 1, rank == 0);
     if (code == JOB_DONE && j.merge)
         code = job_usage(&j, "merging needs no MPI: use truckride-study", "merge");
     else if (code == JOB_DONE && (j.help || j.list)) {
         if (rank == 0 && j.help)
-            job_help(j.program);
+            job_help(&j);
         else if (rank == 0)
             job_list(&j);
     } else if (code == JOB_DONE) {
