@@ -39,5 +39,7 @@ truckride_feature(CHOLMOD "sparse solver" HEADER cholmod.h suitesparse
                   LIBRARIES cholmod suitesparseconfig)
 truckride_feature(LAPACK "modes, frequency response" LIBRARIES lapack blas)
 truckride_feature(NLOPT "calibration" HEADER nlopt.h nlopt LIBRARIES nlopt)
+truckride_feature(JSON "reading model files" HEADER jansson.h jansson LIBRARIES jansson)
+truckride_feature(ARPACK "modes of large models" LIBRARIES arpack)
 
 set_property(GLOBAL PROPERTY TRUCKRIDE_LINK_NAMES ${feature_link_names}) # for truckride.pc

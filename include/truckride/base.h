@@ -94,7 +94,8 @@ enum {
     TRK_FEATURE_CHOLMOD = 1, /**< sparse solver              */
     TRK_FEATURE_LAPACK  = 2, /**< modes, frequency response  */
     TRK_FEATURE_NLOPT   = 3, /**< calibration                */
-    TRK_FEATURE_JSON    = 4  /**< model files; not in this version, always 0 */
+    TRK_FEATURE_JSON    = 4, /**< model files are read       */
+    TRK_FEATURE_ARPACK  = 5  /**< modes of large models      */
 };
 
 /** 1 if this build has the feature, else 0. */

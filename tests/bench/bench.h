@@ -75,6 +75,7 @@ void bench_scripts(bench *b);
 void bench_chain(bench *b);
 void bench_psd(bench *b);
 void bench_modes(bench *b);
+void bench_lowest(bench *b);
 void bench_calibration(bench *b);
 void bench_latency(bench *b);
 void bench_batch(bench *b);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Cost of a step against the number of coordinates, dense and sparse; time per factor entry. */
 #include "chain.h"
+#include "ladder.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DENSE = 1000, FRAME_COLUMNS = 6 };
+enum { MOST_DENSE = 1000, FRAME_COLUMNS = 6, LADDER = 0 };
 
 typedef struct chain_run {
     const bench *bench;
@@ -79,10 +80,15 @@ static void report(bench *b, const char *shape, int32_t n, const chain_run *r, d
     bench_report(b, row);
 }
 
+static trk_model *build(const bench *b, int32_t n, int32_t columns)
+{
+    return columns == LADDER ? ladder_build(b, n) : chain_build(b, n, columns);
+}
+
 /* Returns whether sparse was faster; *coordinate is the cost of one, sparse [ns]. */
 static bool measure(bench *b, const char *shape, int32_t n, int32_t columns, double *coordinate)
 {
-    trk_model *model = chain_build(b, n, columns);
+    trk_model *model = build(b, n, columns);
     int32_t steps = b->tiny ? 20 : n < 200 ? 20000 : 4000000 / n;
     chain_run sparse = start(b, model, TRK_BACKEND_SPARSE, steps), dense = {0};
     if (n <= MOST_DENSE)
@@ -141,9 +147,12 @@ static void measure_sizes(bench *b, const char *shape, int32_t columns, const in
 void bench_chain(bench *b)
 {
     static const int32_t chain[] = {12, 20, 28, 32, 36, 48, 64, 100, 300, 1000, 3000, 10000, 30000},
-                         frame[] = {12, 24, 36, 48, 72, 96, 150, 300, 1200, 6000, 30000};
+                         frame[] = {12, 24, 36, 48, 72, 96, 150, 300, 1200, 6000, 30000},
+                         ladder[] = {24, 36, 48, 96, 300, 996, 3000, 9996, 30000};
     int32_t tiny = 4;
     measure_sizes(b, "chain", 1, chain, b->tiny ? tiny : (int)(sizeof chain / sizeof *chain));
     measure_sizes(b, "frame", FRAME_COLUMNS, frame,
                   b->tiny ? tiny : (int)(sizeof frame / sizeof *frame));
+    measure_sizes(b, "ladder", LADDER, ladder,
+                  b->tiny ? tiny : (int)(sizeof ladder / sizeof *ladder));
 }

@@ -9,10 +9,13 @@ static const struct {
     const char *name;
     void (*run)(bench *b);
 } subjects[] = {
-    {"machine", bench_machine},       {"thesis", bench_thesis},   {"truck", bench_truck},
-    {"kernels", bench_kernels},       {"peers", bench_peers},     {"scripts", bench_scripts},
-    {"chain", bench_chain},           {"psd", bench_psd},         {"modes", bench_modes},
-    {"calibrate", bench_calibration}, {"latency", bench_latency}, {"batch", bench_batch},
+    {"machine", bench_machine},       {"thesis", bench_thesis},
+    {"truck", bench_truck},           {"kernels", bench_kernels},
+    {"peers", bench_peers},           {"scripts", bench_scripts},
+    {"chain", bench_chain},           {"psd", bench_psd},
+    {"modes", bench_modes},           {"lowest", bench_lowest},
+    {"calibrate", bench_calibration}, {"latency", bench_latency},
+    {"batch", bench_batch},
 };
 enum { SUBJECTS = sizeof subjects / sizeof *subjects };
 

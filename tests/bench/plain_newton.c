@@ -92,7 +92,7 @@ static bool add_element(plain_newton *f, const double *b, bool damper, const trk
 /* Linear part of a link into the matrices, its curves into elements. */
 static bool add_link(plain_newton *f, const trk_model *model, int32_t link)
 {
-    const trk_law *law = &model->laws[link];
+    const trk_link_law *law = &model->laws[link];
     double b[MAX] = {0}, g[MAX_ROADS] = {0};
     if (trk_model_get_link_row(model, link + 1, b, g) != TRK_OK)
         return false;
@@ -107,7 +107,7 @@ static bool add_link(plain_newton *f, const trk_model *model, int32_t link)
         }
     }
     for (int j = 0; j < f->roads; j++)
-        if (g[j] != 0 && !trk_law_is_linear(law))
+        if (g[j] != 0 && !trk_link_law_is_linear(law))
             return false;
     bool good = true;
     if (law->spring)

@@ -41,11 +41,35 @@ static trk_spec *with_sensors(const bench *b, const trk_spec *from, int32_t sens
     return to;
 }
 
-static void compile(rig *r, trk_vehicle vehicle, trk_variant variant, int32_t sensors)
+/* Friction on the links between the road's wheels and the frame that are called springs. */
+static void add_leaves(const bench *b, trk_spec *spec)
+{
+    trk_law *leaf;
+    trk_leaf_options options;
+    trk_leaf_options_init(&options, sizeof options);
+    options.friction = 2500;
+    options.approach_bump = 0.002;
+    bench_must(b, trk_law_create_leaf(b->context, "leaf", &options, &leaf));
+    for (int32_t k = 1; k <= trk_spec_count(spec, TRK_PART_LINK); k++) {
+        const char *name = trk_spec_part_name(spec, TRK_PART_LINK, k);
+        trk_link_options o = {.struct_size = sizeof o};
+        if (!strstr(name, "_spring") || strstr(name, "cab"))
+            continue;
+        bench_must(b, trk_spec_get_link(spec, k, &o));
+        o.law = leaf;
+        bench_must(b, trk_spec_set_link(spec, k, &o));
+    }
+    trk_law_destroy(leaf);
+}
+
+static void compile(rig *r, trk_vehicle vehicle, trk_variant variant, int32_t sensors,
+                    bool on_leaves)
 {
     const bench *b = r->bench;
     trk_spec *spec;
     bench_must(b, trk_vehicle_create_builtin(b->context, vehicle, variant, &spec));
+    if (on_leaves)
+        add_leaves(b, spec);
     if (sensors != RIG_ALL_SENSORS) {
         trk_spec *fewer = with_sensors(b, spec, sensors);
         trk_spec_destroy(spec);
@@ -65,12 +89,12 @@ static void compile(rig *r, trk_vehicle vehicle, trk_variant variant, int32_t se
     r->sensors = trk_model_count(r->model, TRK_PART_SENSOR);
 }
 
-void rig_create(const bench *b, trk_vehicle vehicle, trk_variant variant, int32_t sensors,
-                double seconds, rig *out)
+static void create(const bench *b, trk_vehicle vehicle, trk_variant variant, int32_t sensors,
+                   bool on_leaves, double seconds, rig *out)
 {
     trk_sweep_options options;
     *out = (rig){.bench = b, .seconds = seconds, .steps = (int64_t)(1000 * seconds)};
-    compile(out, vehicle, variant, sensors);
+    compile(out, vehicle, variant, sensors, on_leaves);
     trk_sweep_options_init(&options, sizeof options);
     options.duration = seconds;
     bench_must(b, trk_signal_create_sweep(b->context, &options, &out->sweep));
@@ -82,6 +106,18 @@ void rig_create(const bench *b, trk_vehicle vehicle, trk_variant variant, int32_
     out->height = bench_zeros((out->steps + 1) * out->roads);
     out->velocity = bench_zeros((out->steps + 1) * out->roads);
     trk_excitation_evaluate(out->road, out->steps + 1, 0, 1e-3, out->height, out->velocity, NULL);
+}
+
+void rig_create(const bench *b, trk_vehicle vehicle, trk_variant variant, int32_t sensors,
+                double seconds, rig *out)
+{
+    create(b, vehicle, variant, sensors, false, seconds, out);
+}
+
+void rig_create_on_leaves(const bench *b, trk_vehicle vehicle, trk_variant variant, double seconds,
+                          rig *out)
+{
+    create(b, vehicle, variant, RIG_ALL_SENSORS, true, seconds, out);
 }
 
 void rig_destroy(rig *r)

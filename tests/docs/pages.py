@@ -9,11 +9,14 @@
               .ci the script must exist, lines that need root must stand in a script of .ci
     cmake     a project that builds the page's first C program as "app"
     output    what the programs of the blocks before it print, in each of their languages
+    json NAME, csv NAME
+              a file of that name in the folder in which programs run
     text      anything else
 """
 import re
 
 LANGUAGES = {"c", "c preamble", "python", "sh", "cmake", "output", "text"}
+FILE = re.compile(r"(?:json|csv) ([\w.]+)")
 OUTSIDE = re.compile(r"static|typedef|#")
 ELSEWHERE = re.compile(r"\b(apt-get|apt|ldconfig|dpkg|dpkg-buildpackage)\b|^bash \.ci/")
 
@@ -26,10 +29,14 @@ class Page:
     def of(self, language):
         return [body for info, body in self.blocks if info.split("#")[0].strip() == language]
 
+    def files(self):
+        """(name, text) of the files that its programs read."""
+        return [(FILE.fullmatch(info)[1], body) for info, body in self.blocks if FILE.fullmatch(info)]
+
     def complaints(self):
         """What is written so that no test could run it."""
         for info, body in self.blocks:
-            if info not in LANGUAGES:
+            if info not in LANGUAGES and not FILE.fullmatch(info):
                 yield f"{self.name}: block marked {info!r}, not one of {', '.join(sorted(LANGUAGES))}: {body[:40]!r}"
         prose = re.sub(r"^```.*?^```$", "", self.text, flags=re.S | re.M)
         if "```" in prose:

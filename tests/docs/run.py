@@ -97,6 +97,8 @@ RUNNERS = {"c": run_c, "python": run_python, "cmake": run_cmake, "sh": run_sh}
 def complaints(place, page):
     yield from page.complaints()
     output = {}
+    for name, text in page.files():
+        (place.top / name).write_text(text)
     for language, runner in RUNNERS.items():
         try:
             output[language] = "".join(runner(place, page))

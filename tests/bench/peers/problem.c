@@ -65,7 +65,7 @@ static inline double table_force(problem_table *t, double x, double *slope)
 static void add_link(problem *p, int32_t link, double (*columns)[PROBLEM_MAX])
 {
     const trk_model *model = p->rig->model;
-    const trk_law *law = &model->laws[link];
+    const trk_link_law *law = &model->laws[link];
     double b[PROBLEM_MAX] = {0}, g[RIG_ROADS] = {0}, road = 0;
     double(*force)[PROBLEM_MAX] = columns + 2 * p->n + 2;
     bench_must(p->rig->bench, trk_model_get_link_row(model, link + 1, b, g));

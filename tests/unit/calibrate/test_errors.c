@@ -44,7 +44,8 @@ static void actions(void **state)
     assert_status(x, trk_calibration_act_on(c, 3, TRK_FIELD_MASS, "sprung", 1, NULL),
                   TRK_E_ARGUMENT);
     assert_message(x, "no parameter 3");
-    assert_status(x, trk_calibration_act_on(c, 1, 6, "sprung", 1, NULL), TRK_E_ARGUMENT);
+    assert_status(x, trk_calibration_act_on(c, 1, TRK_FIELD_BENDING + 1, "sprung", 1, NULL),
+                  TRK_E_ARGUMENT);
     assert_status(x, trk_calibration_act_on(c, 1, TRK_FIELD_MASS, NULL, 1, NULL), TRK_E_ARGUMENT);
     assert_status(x, trk_calibration_act_on(c, 1, TRK_FIELD_MASS, "sprung", 0, NULL), TRK_E_RANGE);
     assert_status(x, trk_calibration_act_on(c, 1, TRK_FIELD_MASS, "sprung", NAN, NULL),

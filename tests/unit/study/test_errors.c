@@ -83,7 +83,8 @@ static void options_out_of_range(void **state)
     assert_status(*state, trk_study_add_parameter(f.study, "", NULL, NULL), TRK_E_NAME);
     assert_status(*state, trk_study_add_parameter(f.study, NULL, NULL, NULL), TRK_E_NAME);
     assert_status(*state, trk_study_act_on(f.study, 3, 1, "*", 1, NULL), TRK_E_ARGUMENT);
-    assert_status(*state, trk_study_act_on(f.study, 1, 6, "*", 1, NULL), TRK_E_ARGUMENT);
+    assert_status(*state, trk_study_act_on(f.study, 1, TRK_FIELD_BENDING + 1, "*", 1, NULL),
+                  TRK_E_ARGUMENT);
     assert_status(*state, trk_study_act_on(f.study, 1, 2, "*", 0, NULL), TRK_E_RANGE);
     assert_status(*state, trk_study_act_on(f.study, 1, 2, "no", 1, NULL), TRK_E_NAME);
     assert_status(*state, trk_study_act_on(f.study, 2, 1, "tire", 1, NULL), TRK_E_MODEL);
