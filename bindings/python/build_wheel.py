@@ -4,9 +4,10 @@
 
 usage: build_wheel.py [--library LIBRARY] [--min] [OUTPUT_DIR]
 
-Without --library the library is built with CMake in build/wheel; --min leaves CHOLMOD, LAPACK
-and NLopt out, so that the wheel runs without any package of the system, but has no modes,
-frequency responses and calibration. The wheel is the same, byte by byte, from the same files.
+Without --library the library is built with CMake in build/wheel; --min leaves CHOLMOD, LAPACK,
+NLopt, jansson and ARPACK out, so that the wheel runs without any package of the system, but has
+no modes, frequency responses and calibration and reads no model files. The wheel is the same, byte
+by byte, from the same files.
 """
 import argparse
 import base64
@@ -21,7 +22,7 @@ import zipfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SONAME = "libtruckride.so.0"
-FEATURES = ("CHOLMOD", "LAPACK", "NLOPT")
+FEATURES = ("CHOLMOD", "LAPACK", "NLOPT", "JSON", "ARPACK")
 
 
 def build_library(minimal: bool) -> pathlib.Path:

@@ -54,7 +54,8 @@ def objects():
     calibration = tr.Calibration(spec)
     calibration.add_parameter("tire", "front_tire")
     calibration.target_frequency("axle", 11, "front_axle.z")
-    made = {"spec": spec, "model": model, "excitation": excitation, "study": study,
+    made = {"law": tr.Law("leaf", friction=2500, approach_bump=0.002),
+            "spec": spec, "model": model, "excitation": excitation, "study": study,
             "calibration": calibration, "signal": tr.Signal.sine(0.001, 2),
             "curve": tr.Curve([0, 1, 2, 3], [0, 1, 2, 4]), "modes": model.modes(),
             "crg": tr.Surface(SURFACE),
@@ -168,7 +169,7 @@ def bad_numbers():
     """Counts beyond the arrays cannot be told from good ones; negative ones can."""
     caller = Caller()
     bad = {"double": (ctypes.c_double, [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e308, -1e308, 5e-324]),
-           "int64_t": (ctypes.c_int64, [-1, 0, -2**63])}
+           "int64_t": (ctypes.c_int64, [-1, 0, -2**63]), "size_t": (ctypes.c_size_t, [0])}
     for name, (result, kinds) in functions().items():
         for place, kind in enumerate(kinds):
             if "*" in kind or name.endswith("_init") or kind in CALLBACKS:
@@ -196,6 +197,8 @@ SPEC = tr.vehicle("reference_half")
 MODEL = SPEC.compile()
 SINE = tr.Signal.sine(0.01, 1)
 CURVE = tr.Curve([0, 1], [0, 1])
+RAIL = tr.section.channel(0.27, 0.08, 0.008, 0.008)
+LAW = tr.Law("friction", friction=100, stiffness=1e6)
 
 
 @pytest.mark.parametrize("call", [
@@ -210,6 +213,14 @@ CURVE = tr.Curve([0, 1], [0, 1])
     lambda: tr.comfort.axle_drop(SPEC, ["front"], 1),
     lambda: SPEC.copy().update_link("front_tire", spring_curve=SPEC),
     lambda: SPEC.copy().update_link("front_tire", spring_curve=12345),
+    lambda: SPEC.copy().update_link("front_tire", law=CURVE),
+    lambda: SPEC.copy().update_link("front_tire", spring_curve=LAW),
+    lambda: tr.Law("stops", bump_curve=LAW), lambda: tr.Law("leaf", settings=tr.SealOptions()),
+    lambda: tr.psd(np.ones(64), 1.0, tr.PeakOptions()),
+    lambda: SPEC.copy().add_beam("b", CURVE, 1, 2),
+    lambda: tr.Spec("s").add_frame("f", [0, 1], [0], rail=LAW, member=LAW, half_width=0.4),
+    lambda: tr.enveloped(CURVE, 10, 0.1, length=1), lambda: tr.road_input_spectra(SPEC, [1.0], 20),
+    lambda: tr.linearise(SPEC, [1.0], [[[0.0]]]),
 ])
 def test_an_object_of_another_class_is_refused(call):
     with pytest.raises((TypeError, tr.ArgumentError), match="expected"):
@@ -223,7 +234,10 @@ def test_an_object_of_another_class_is_refused(call):
     lambda: tr.Study(SPEC).case(2**64), lambda: SPEC.body(2**32 + 1),
     lambda: tr.Series({"a": [1]}, 1).write_csv("never.csv", 2**64 + 1),
     lambda: tr.psd(np.ones(64), 1.0, segment_length=2**64 + 8),
-    lambda: tr.response_psd_excited(MODEL, SINE, 1e300),
+    lambda: tr.response_psd_excited(MODEL, SINE, 1e300), lambda: MODEL.modes(count=2**32 + 1),
+    lambda: MODEL.reduce(modes=2**32 + 1), lambda: tr.enveloped(SINE, 2**64 + 5, 0.1, length=1),
+    lambda: tr.Spec("s").add_frame("f", [0, 1], [0], rail=RAIL, member=RAIL, half_width=0.4,
+                                   member_elements=2**32 + 1),
 ])
 def test_an_integer_is_not_taken_modulo_a_power_of_two(call):
     with pytest.raises(tr.ArgumentError, match="no integer of"):

@@ -18,7 +18,8 @@ def everything(model, excitation):
     return [spec, model, excitation, tr.Curve([0, 1], [0, 1]), tr.sweep(duration=1),
             tr.Series({"a": [1, 2]}, 10), tr.Newmark(model), tr.RungeKutta(model), model.modes(),
             tr.Calibration(spec), tr.Study(spec), tr.comfort.WeightingFilter("wk", 500),
-            tr.comfort.VibrationMeter(500), tr.Surface(SURFACE)]
+            tr.comfort.VibrationMeter(500), tr.Surface(SURFACE),
+            tr.Law("seal", sliding=100), model.modes(count=2)]
 
 
 def test_closed_objects_raise(model, excitation):

@@ -68,6 +68,8 @@ def test_examples(example, tmp_path):
 @pytest.mark.parametrize("document", ["docs/python.md", "bindings/python/README.md"])
 def test_code_of_the_documentation_runs(document, tmp_path):
     pytest.importorskip("matplotlib")
+    if not tr.has_feature(tr.Feature.JSON):
+        pytest.skip("built without JSON: no model files")
     blocks = re.findall(r"^```python\n(.*?)^```", (ROOT / document).read_text(), re.S | re.M)
     assert blocks
     run(sys.executable, "-c", "\n".join(blocks), cwd=tmp_path)

@@ -69,10 +69,11 @@ def test_a_rising_body_is_drawn_higher(model):
     """A mode that lifts the cab lifts its corners; pitch nose down lowers the front ones."""
     from truckride.plot import geometry
     description, names = model.describe(), model.coordinates
-    box = geometry.scene(description).boxes[1]
+    scene = geometry.scene(description)
+    box = scene.boxes[1]
     for coordinate, left, right in (("cab.z", 1, 1), ("cab.pitch", 1, -1)):
         values = [1e-3 if name == coordinate else 0 for name in names]
-        motion = geometry.motion_of(names, description, values, 1, geometry.SIDE)
+        motion = geometry.motions(names, scene, values)[1]
         up = (geometry.moved(box.outline, box.cg, motion) - box.outline)[:, 1]
         assert np.sign(up[0]) == left and np.sign(up[1]) == right
 

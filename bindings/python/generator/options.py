@@ -12,7 +12,9 @@ from .headers import Field, Headers, Struct, Type
 
 # Parts of a spec are called what they are, not by the struct that carries them.
 PARTS = {"trk_body_options": "Body", "trk_link_options": "Link", "trk_sensor_options": "Sensor",
-         "trk_port_options": "Port"}
+         "trk_port_options": "Port", "trk_beam_options": "Beam"}
+# Pointers to objects of the library, with the Python class of each.
+OBJECTS = {"trk_curve": "Curve", "trk_law": "Law"}
 HIDDEN = ("struct_size", "reserved")
 
 HEAD = '''# SPDX-License-Identifier: MIT
@@ -28,6 +30,7 @@ from ._struct import Fields
 
 if TYPE_CHECKING:
     from .curve import Curve
+    from .law import Law
 '''
 
 
@@ -40,8 +43,8 @@ def shown(struct: Struct) -> list[Field]:
 
 
 def is_plain(struct: Struct, headers: Headers) -> bool:
-    """Nothing but numbers, text and curves: arrays of the caller need a hand-written wrapper."""
-    return all(not f.type.pointers or f.type.name in ("trk_curve", "char") for f in shown(struct)) \
+    """Nothing but numbers, text, curves and laws; arrays need a hand-written wrapper."""
+    return all(not f.type.pointers or f.type.name in (*OBJECTS, "char") for f in shown(struct)) \
         and not any(f.type.name in headers.callbacks for f in struct.fields)
 
 
@@ -49,8 +52,8 @@ def python_type(field: Field, headers: Headers) -> str:
     type_: Type = field.type
     if field.name == "freedoms":
         name = "_abi.Free"
-    elif type_.name == "trk_curve":
-        name = "Optional[Curve]"
+    elif type_.name in OBJECTS:
+        name = f"Optional[{OBJECTS[type_.name]}]"
     elif type_.name == "char":
         name = "Optional[str]"
     elif type_.name == "trk_status" or type_.name in enums(headers):
@@ -77,6 +80,8 @@ def structure(struct: Struct, headers: Headers) -> Any:
 def literal(value: Any, field: Field, headers: Headers) -> str:
     if field.type.length:
         return f"({', '.join(literal(v, one(field), headers) for v in value)})"
+    if isinstance(value, bytes):
+        return f'"{value.decode()}"'
     if value is None or field.type.pointers:
         return "None"
     if field.name == "freedoms":

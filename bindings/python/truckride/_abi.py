@@ -45,6 +45,7 @@ class Feature(enum.IntEnum):
     LAPACK = 2
     NLOPT = 3
     JSON = 4
+    ARPACK = 5
 
 
 class Backend(enum.IntEnum):
@@ -131,6 +132,15 @@ class RoadTracks(enum.IntEnum):
     INDEPENDENT = 3
 
 
+class LawKind(enum.IntEnum):
+    TIRE = 1
+    STOPS = 2
+    LEAF = 3
+    FRICTION = 4
+    AIR_SPRING = 5
+    SEAL = 6
+
+
 class Part(enum.IntEnum):
     BODY = 1
     LINK = 2
@@ -139,6 +149,7 @@ class Part(enum.IntEnum):
     SENSOR = 5
     MASS = 6
     COORDINATE = 7
+    BEAM = 8
 
 
 class Free(enum.IntFlag):
@@ -170,6 +181,9 @@ class Field(enum.IntEnum):
     MASS = 3
     INERTIA = 4
     MASS_INERTIA = 5
+    FRICTION = 6
+    APPROACH = 7
+    BENDING = 8
 
 
 class Meaning(enum.IntEnum):
@@ -431,6 +445,71 @@ class trk_road_options(Structure):
     ]
 
 
+class trk_tire_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("stiffness", c_double),
+        ("stiffening", c_double),
+        ("damping", c_double),
+        ("preload", c_double),
+    ]
+
+
+class trk_stops_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("bump_clearance", c_double),
+        ("bump_stiffness", c_double),
+        ("bump_curve", c_void_p),
+        ("rebound_clearance", c_double),
+        ("rebound_stiffness", c_double),
+        ("rebound_curve", c_void_p),
+    ]
+
+
+class trk_leaf_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("friction", c_double),
+        ("friction_slope", c_double),
+        ("approach_bump", c_double),
+        ("approach_rebound", c_double),
+    ]
+
+
+class trk_friction_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("friction", c_double),
+        ("stiffness", c_double),
+    ]
+
+
+class trk_air_spring_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("pressure", c_double),
+        ("volume", c_double),
+        ("area", c_double),
+        ("area_slope", c_double),
+        ("exponent", c_double),
+        ("ambient", c_double),
+        ("auxiliary_volume", c_double),
+        ("conductance", c_double),
+        ("temperature", c_double),
+    ]
+
+
+class trk_seal_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("sliding", c_double),
+        ("breakaway", c_double),
+        ("stribeck", c_double),
+        ("creep", c_double),
+    ]
+
+
 class trk_body_options(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -458,6 +537,30 @@ class trk_link_options(Structure):
         ("spring_scale", c_double),
         ("damper_scale", c_double),
         ("spring_offset", c_double),
+        ("law", c_void_p),
+    ]
+
+
+class trk_beam_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("from_body", c_int32),
+        ("to_body", c_int32),
+        ("from_point", c_double * 3),
+        ("to_point", c_double * 3),
+        ("up", c_double * 3),
+        ("axial", c_double),
+        ("torsion", c_double),
+        ("bending_y", c_double),
+        ("bending_z", c_double),
+        ("shear_y", c_double),
+        ("shear_z", c_double),
+        ("mass_per_length", c_double),
+        ("inertia_x", c_double),
+        ("inertia_y", c_double),
+        ("inertia_z", c_double),
+        ("mass_damping", c_double),
+        ("stiffness_damping", c_double),
     ]
 
 
@@ -480,6 +583,24 @@ class trk_port_options(Structure):
         ("motion", c_int32),
         ("point", c_double * 3),
         ("direction", c_double * 3),
+    ]
+
+
+class trk_frame_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("freedoms", c_int32),
+        ("stations", c_int32),
+        ("station", c_void_p),
+        ("crosses", c_int32),
+        ("cross", c_void_p),
+        ("half_width", c_double),
+        ("z", c_double),
+        ("longest", c_double),
+        ("rail", POINTER(trk_beam_options)),
+        ("member", POINTER(trk_beam_options)),
+        ("member_elements", c_int32),
+        ("reserved", c_int32),
     ]
 
 
@@ -609,6 +730,26 @@ class trk_rungekutta_options(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
         ("step", c_double),
+    ]
+
+
+class trk_linearise_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("tolerance", c_double),
+        ("relaxation", c_double),
+        ("max_iterations", c_int32),
+        ("reserved", c_int32),
+    ]
+
+
+class trk_reduce_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("pattern", c_char_p),
+        ("modes", c_int32),
+        ("interface_modes", c_int32),
+        ("modal_damping", c_double),
     ]
 
 
@@ -929,8 +1070,36 @@ class Functions:
     trk_road_create: Callable[..., int]
     trk_road_density: Callable[..., int]
     trk_road_coherence: Callable[..., int]
+    trk_envelope_average: Callable[..., int]
+    trk_envelope_weight: Callable[..., float]
+    trk_envelope_rigid_band: Callable[..., int]
+    trk_envelope_signal: Callable[..., int]
+    trk_tire_options_init: Callable[..., None]
+    trk_stops_options_init: Callable[..., None]
+    trk_leaf_options_init: Callable[..., None]
+    trk_friction_options_init: Callable[..., None]
+    trk_air_spring_options_init: Callable[..., None]
+    trk_seal_options_init: Callable[..., None]
+    trk_law_create_tire: Callable[..., int]
+    trk_law_create_stops: Callable[..., int]
+    trk_law_create_leaf: Callable[..., int]
+    trk_law_create_friction: Callable[..., int]
+    trk_law_create_air_spring: Callable[..., int]
+    trk_law_create_seal: Callable[..., int]
+    trk_law_copy: Callable[..., int]
+    trk_law_destroy: Callable[..., None]
+    trk_law_get_kind: Callable[..., int]
+    trk_law_name: Callable[..., Optional[bytes]]
+    trk_law_get_tire: Callable[..., int]
+    trk_law_get_stops: Callable[..., int]
+    trk_law_get_leaf: Callable[..., int]
+    trk_law_get_friction: Callable[..., int]
+    trk_law_get_air_spring: Callable[..., int]
+    trk_law_get_seal: Callable[..., int]
+    trk_law_trace: Callable[..., int]
     trk_body_options_init: Callable[..., None]
     trk_link_options_init: Callable[..., None]
+    trk_beam_options_init: Callable[..., None]
     trk_sensor_options_init: Callable[..., None]
     trk_port_options_init: Callable[..., None]
     trk_spec_create: Callable[..., int]
@@ -941,20 +1110,30 @@ class Functions:
     trk_spec_add_mass: Callable[..., int]
     trk_spec_add_road: Callable[..., int]
     trk_spec_add_link: Callable[..., int]
+    trk_spec_add_beam: Callable[..., int]
     trk_spec_add_port: Callable[..., int]
     trk_spec_add_sensor: Callable[..., int]
     trk_spec_get_body: Callable[..., int]
     trk_spec_get_link: Callable[..., int]
+    trk_spec_get_beam: Callable[..., int]
     trk_spec_get_sensor: Callable[..., int]
     trk_spec_get_port: Callable[..., int]
     trk_spec_get_road: Callable[..., int]
     trk_spec_get_mass: Callable[..., int]
     trk_spec_set_body: Callable[..., int]
+    trk_spec_set_beam: Callable[..., int]
     trk_spec_set_link: Callable[..., int]
     trk_spec_vary: Callable[..., int]
     trk_spec_count: Callable[..., int]
     trk_spec_find: Callable[..., int]
     trk_spec_part_name: Callable[..., Optional[bytes]]
+    trk_beam_options_channel: Callable[..., int]
+    trk_beam_options_box: Callable[..., int]
+    trk_beam_options_rectangle: Callable[..., int]
+    trk_beam_options_tube: Callable[..., int]
+    trk_frame_options_init: Callable[..., None]
+    trk_spec_add_frame: Callable[..., int]
+    trk_spec_nearest_body: Callable[..., int]
     trk_quarter_car_parameters_init: Callable[..., None]
     trk_half_car_parameters_init: Callable[..., None]
     trk_truck_parameters_init: Callable[..., None]
@@ -1015,6 +1194,7 @@ class Functions:
     trk_rungekutta_get_links: Callable[..., None]
     trk_rungekutta_read_sensors: Callable[..., None]
     trk_modes_create_undamped: Callable[..., int]
+    trk_modes_create_lowest: Callable[..., int]
     trk_modes_create_damped: Callable[..., int]
     trk_modes_destroy: Callable[..., None]
     trk_modes_count: Callable[..., int]
@@ -1027,8 +1207,14 @@ class Functions:
     trk_modes_label: Callable[..., Optional[bytes]]
     trk_frequency_response: Callable[..., int]
     trk_road_cross_spectra: Callable[..., int]
+    trk_road_input_spectra: Callable[..., int]
     trk_response_psd: Callable[..., int]
     trk_response_psd_excited: Callable[..., int]
+    trk_linearise_options_init: Callable[..., None]
+    trk_model_linearise: Callable[..., int]
+    trk_law_describe: Callable[..., int]
+    trk_reduce_options_init: Callable[..., None]
+    trk_model_reduce: Callable[..., int]
     trk_simulate_options_init: Callable[..., None]
     trk_simulate: Callable[..., int]
     trk_weighting_name: Callable[..., Optional[bytes]]
@@ -1125,6 +1311,10 @@ class Functions:
     trk_study_close_journal: Callable[..., int]
     trk_study_load: Callable[..., int]
     trk_study_write_csv: Callable[..., int]
+    trk_model_file_read: Callable[..., int]
+    trk_model_file_parse: Callable[..., int]
+    trk_model_file_format: Callable[..., int]
+    trk_model_file_write: Callable[..., int]
 
 
 SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
@@ -1306,10 +1496,66 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, POINTER(trk_road_options), c_int64, c_void_p, c_void_p)),
     "trk_road_coherence":
         (c_int32, (c_void_p, POINTER(trk_road_options), c_int64, c_void_p, c_void_p)),
+    "trk_envelope_average":
+        (c_int32, (c_void_p, c_int64, c_double, c_void_p, c_double, c_void_p, c_void_p)),
+    "trk_envelope_weight":
+        (c_double, (c_double, c_double)),
+    "trk_envelope_rigid_band":
+        (c_int32, (c_void_p, c_int64, c_double, c_void_p, c_double, c_void_p, c_void_p)),
+    "trk_envelope_signal":
+        (c_int32, (c_void_p, c_void_p, c_double, c_double, c_int64, c_double, c_double, c_void_p)),
+    "trk_tire_options_init":
+        (None, (POINTER(trk_tire_options), c_size_t)),
+    "trk_stops_options_init":
+        (None, (POINTER(trk_stops_options), c_size_t)),
+    "trk_leaf_options_init":
+        (None, (POINTER(trk_leaf_options), c_size_t)),
+    "trk_friction_options_init":
+        (None, (POINTER(trk_friction_options), c_size_t)),
+    "trk_air_spring_options_init":
+        (None, (POINTER(trk_air_spring_options), c_size_t)),
+    "trk_seal_options_init":
+        (None, (POINTER(trk_seal_options), c_size_t)),
+    "trk_law_create_tire":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_tire_options), c_void_p)),
+    "trk_law_create_stops":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_stops_options), c_void_p)),
+    "trk_law_create_leaf":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_leaf_options), c_void_p)),
+    "trk_law_create_friction":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_friction_options), c_void_p)),
+    "trk_law_create_air_spring":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_air_spring_options), c_void_p)),
+    "trk_law_create_seal":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_seal_options), c_void_p)),
+    "trk_law_copy":
+        (c_int32, (c_void_p, c_void_p, c_void_p)),
+    "trk_law_destroy":
+        (None, (c_void_p,)),
+    "trk_law_get_kind":
+        (c_int32, (c_void_p,)),
+    "trk_law_name":
+        (c_char_p, (c_void_p,)),
+    "trk_law_get_tire":
+        (c_int32, (c_void_p, POINTER(trk_tire_options))),
+    "trk_law_get_stops":
+        (c_int32, (c_void_p, POINTER(trk_stops_options))),
+    "trk_law_get_leaf":
+        (c_int32, (c_void_p, POINTER(trk_leaf_options))),
+    "trk_law_get_friction":
+        (c_int32, (c_void_p, POINTER(trk_friction_options))),
+    "trk_law_get_air_spring":
+        (c_int32, (c_void_p, POINTER(trk_air_spring_options))),
+    "trk_law_get_seal":
+        (c_int32, (c_void_p, POINTER(trk_seal_options))),
+    "trk_law_trace":
+        (c_int32, (c_void_p, c_void_p, c_int64, c_double, c_void_p, c_void_p, c_void_p)),
     "trk_body_options_init":
         (None, (POINTER(trk_body_options), c_size_t)),
     "trk_link_options_init":
         (None, (POINTER(trk_link_options), c_size_t)),
+    "trk_beam_options_init":
+        (None, (POINTER(trk_beam_options), c_size_t)),
     "trk_sensor_options_init":
         (None, (POINTER(trk_sensor_options), c_size_t)),
     "trk_port_options_init":
@@ -1330,6 +1576,8 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, c_char_p, c_double, c_double, c_void_p)),
     "trk_spec_add_link":
         (c_int32, (c_void_p, c_char_p, POINTER(trk_link_options), c_void_p)),
+    "trk_spec_add_beam":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_beam_options), c_void_p)),
     "trk_spec_add_port":
         (c_int32, (c_void_p, c_char_p, POINTER(trk_port_options), c_void_p)),
     "trk_spec_add_sensor":
@@ -1338,6 +1586,8 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, c_int32, POINTER(trk_body_options))),
     "trk_spec_get_link":
         (c_int32, (c_void_p, c_int32, POINTER(trk_link_options))),
+    "trk_spec_get_beam":
+        (c_int32, (c_void_p, c_int32, POINTER(trk_beam_options))),
     "trk_spec_get_sensor":
         (c_int32, (c_void_p, c_int32, POINTER(trk_sensor_options))),
     "trk_spec_get_port":
@@ -1348,6 +1598,8 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, c_int32, c_void_p, c_void_p, c_void_p)),
     "trk_spec_set_body":
         (c_int32, (c_void_p, c_int32, POINTER(trk_body_options))),
+    "trk_spec_set_beam":
+        (c_int32, (c_void_p, c_int32, POINTER(trk_beam_options))),
     "trk_spec_set_link":
         (c_int32, (c_void_p, c_int32, POINTER(trk_link_options))),
     "trk_spec_vary":
@@ -1358,6 +1610,20 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, c_int32, c_char_p)),
     "trk_spec_part_name":
         (c_char_p, (c_void_p, c_int32, c_int32)),
+    "trk_beam_options_channel":
+        (c_int32, (c_void_p, c_double, c_double, c_double, c_double, c_double, c_double, c_double, POINTER(trk_beam_options))),
+    "trk_beam_options_box":
+        (c_int32, (c_void_p, c_double, c_double, c_double, c_double, c_double, c_double, c_double, POINTER(trk_beam_options))),
+    "trk_beam_options_rectangle":
+        (c_int32, (c_void_p, c_double, c_double, c_double, c_double, c_double, POINTER(trk_beam_options))),
+    "trk_beam_options_tube":
+        (c_int32, (c_void_p, c_double, c_double, c_double, c_double, c_double, POINTER(trk_beam_options))),
+    "trk_frame_options_init":
+        (None, (POINTER(trk_frame_options), c_size_t)),
+    "trk_spec_add_frame":
+        (c_int32, (c_void_p, c_char_p, POINTER(trk_frame_options))),
+    "trk_spec_nearest_body":
+        (c_int32, (c_void_p, c_char_p, c_void_p, c_void_p)),
     "trk_quarter_car_parameters_init":
         (None, (POINTER(trk_quarter_car_parameters), c_size_t)),
     "trk_half_car_parameters_init":
@@ -1478,6 +1744,8 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (None, (c_void_p, c_void_p)),
     "trk_modes_create_undamped":
         (c_int32, (c_void_p, c_void_p, c_void_p, c_void_p)),
+    "trk_modes_create_lowest":
+        (c_int32, (c_void_p, c_void_p, c_void_p, c_int32, c_void_p)),
     "trk_modes_create_damped":
         (c_int32, (c_void_p, c_void_p, c_void_p, c_void_p, c_void_p)),
     "trk_modes_destroy":
@@ -1502,10 +1770,22 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, c_void_p, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p)),
     "trk_road_cross_spectra":
         (c_int32, (c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p, c_void_p)),
+    "trk_road_input_spectra":
+        (c_int32, (c_void_p, c_void_p, POINTER(trk_road_options), c_double, c_int64, c_void_p, c_void_p)),
     "trk_response_psd":
         (c_int32, (c_void_p, c_void_p, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_void_p, c_void_p)),
     "trk_response_psd_excited":
         (c_int32, (c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, c_double, c_double, c_int64, POINTER(trk_spectrum_options), c_void_p, c_void_p)),
+    "trk_linearise_options_init":
+        (None, (POINTER(trk_linearise_options), c_size_t)),
+    "trk_model_linearise":
+        (c_int32, (c_void_p, c_void_p, c_int64, c_void_p, c_void_p, POINTER(trk_linearise_options), c_void_p, c_void_p, c_void_p, c_void_p)),
+    "trk_law_describe":
+        (c_int32, (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p, c_void_p)),
+    "trk_reduce_options_init":
+        (None, (POINTER(trk_reduce_options), c_size_t)),
+    "trk_model_reduce":
+        (c_int32, (c_void_p, c_void_p, POINTER(trk_reduce_options), c_void_p)),
     "trk_simulate_options_init":
         (None, (POINTER(trk_simulate_options), c_size_t)),
     "trk_simulate":
@@ -1698,4 +1978,12 @@ SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (c_int32, (c_void_p, c_char_p)),
     "trk_study_write_csv":
         (c_int32, (c_void_p, c_char_p)),
+    "trk_model_file_read":
+        (c_int32, (c_void_p, c_char_p, c_void_p)),
+    "trk_model_file_parse":
+        (c_int32, (c_void_p, c_char_p, c_size_t, c_char_p, c_char_p, c_void_p)),
+    "trk_model_file_format":
+        (c_int32, (c_void_p, c_size_t, c_char_p, c_void_p)),
+    "trk_model_file_write":
+        (c_int32, (c_void_p, c_void_p, c_char_p)),
 }

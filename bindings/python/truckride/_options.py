@@ -11,6 +11,7 @@ from ._struct import Fields
 
 if TYPE_CHECKING:
     from .curve import Curve
+    from .law import Law
 
 
 @dataclasses.dataclass(frozen=True)
@@ -180,12 +181,146 @@ class RoadOptions(Fields):
 
 
 @dataclasses.dataclass(frozen=True)
+class TireOptions(Fields):
+    """Tire in contact with the road or off it. With the deflection d = d_0 - e, d_0 that of the
+    preload, and the spring's force s(d) = k d + k_2 d^2, 0 for d < 0:      f = -(s - max(-s,
+    min(s, c e')))                                     (LAW.10)  The damper's force is at most
+    the spring's: the tire never pulls, and the force does not jump where it lands.
+
+    stiffness: [N/m] k >= 0, > 0 unless stiffening is; default 0
+    stiffening: [N/m^2] k_2 >= 0; default 0
+    damping: [N s/m] c >= 0; default 0
+    preload: [N] >= 0, load at e = 0: the static load of a model without gravity, 0 where
+        gravity finds it; default 0
+    """
+
+    _struct_ = _abi.trk_tire_options
+
+    stiffness: float = 0.0
+    stiffening: float = 0.0
+    damping: float = 0.0
+    preload: float = 0.0
+
+
+@dataclasses.dataclass(frozen=True)
+class StopsOptions(Fields):
+    """Bump and rebound stop (LAW.11): no force within the clearances, beyond them that of a
+    stiffness and a curve.
+
+    bump_clearance: [m or rad] >= 0, compression at which the bump stop touches; default 0
+    bump_stiffness: [N/m or N m/rad] >= 0; default 0
+    bump_curve: [N over m, or N m over rad] force over compression of the stop, >= 0, 0 at 0,
+        copied
+    rebound_clearance: [m or rad] >= 0, extension at which the rebound stop touches; default 0
+    rebound_stiffness: [N/m or N m/rad] >= 0; default 0
+    rebound_curve: [N over m, or N m over rad] as bump_curve
+    """
+
+    _struct_ = _abi.trk_stops_options
+
+    bump_clearance: float = 0.0
+    bump_stiffness: float = 0.0
+    bump_curve: Optional[Curve] = None
+    rebound_clearance: float = 0.0
+    rebound_stiffness: float = 0.0
+    rebound_curve: Optional[Curve] = None
+
+
+@dataclasses.dataclass(frozen=True)
+class LeafOptions(Fields):
+    """Inter-leaf friction of a leaf spring (LAW.12): a force r that approaches the half-width R of
+    the hysteresis exponentially over the distance beta, however long the steps. The spring
+    itself is the link's stiffness or curve.      dr/|de| = (R(e) sign(e') - r) / beta,   R(e) =
+    max(R_0, friction - friction_slope e)  R_0 = friction_slope max(0, approach_rebound -
+    approach_bump) / 2: below it friction could give energy.  Source: P. S. Fancher, R. D.
+    Ervin, C. C. MacAdam, C. B. Winkler, SAE Paper 800905 (1980).
+
+    friction: [N or N m] R at e = 0, > 0, >= R_0; default 0, must be set
+    friction_slope: [N/m or N m/rad] >= 0, growth with compression; default 0
+    approach_bump: [m or rad] beta while compressing, > 0; default 0, must be set
+    approach_rebound: [m or rad] beta while extending; default 0: as approach_bump
+    """
+
+    _struct_ = _abi.trk_leaf_options
+
+    friction: float = 0.0
+    friction_slope: float = 0.0
+    approach_bump: float = 0.0
+    approach_rebound: float = 0.0
+
+
+@dataclasses.dataclass(frozen=True)
+class FrictionOptions(Fields):
+    """Dry friction (LAW.13): elastic up to the friction force, then sliding at it.
+
+    friction: [N or N m] > 0; default 0, must be set
+    stiffness: [N/m or N m/rad] > 0 while it sticks; default 0, must be set
+    """
+
+    _struct_ = _abi.trk_friction_options
+
+    friction: float = 0.0
+    stiffness: float = 0.0
+
+
+@dataclasses.dataclass(frozen=True)
+class AirSpringOptions(Fields):
+    """Air spring (LAW.14): bellows with an effective area, polytropic change of state, and an
+    auxiliary volume behind a throttle:      f = -(p - p_ambient) A(e),   V = volume + area e +
+    area_slope e^2 / 2,   A(e) = dV/de  Without volume or area there is no force: a run that
+    comes there does not converge.
+
+    pressure: [Pa] absolute, at e = 0, > ambient; default 0, must be set
+    volume: [m^3] of the bellows at e = 0, > 0; default 0, must be set
+    area: [m^2] effective area at e = 0, > 0; default 0, must be set
+    area_slope: [m] dA/de; default 0
+    exponent: [-] polytropic, 1 (isothermal) to 1.6; default 1.38
+    ambient: [Pa] > 0; default 101325
+    auxiliary_volume: [m^3] >= 0; default 0: none
+    conductance: [kg/(s Pa)] of the throttle, >= 0; default 0: closed
+    temperature: [K] > 0, of the air at rest; default 293.15
+    """
+
+    _struct_ = _abi.trk_air_spring_options
+
+    pressure: float = 0.0
+    volume: float = 0.0
+    area: float = 0.0
+    area_slope: float = 0.0
+    exponent: float = 1.38
+    ambient: float = 101325.0
+    auxiliary_volume: float = 0.0
+    conductance: float = 0.0
+    temperature: float = 293.15
+
+
+@dataclasses.dataclass(frozen=True)
+class SealOptions(Fields):
+    """Friction of seals (LAW.15): Stribeck curve, smooth through zero.
+
+    sliding: [N or N m] >= 0, friction at speed; default 0
+    breakaway: [N or N m] >= sliding, at low speed; default 0: as sliding
+    stribeck: [m/s or rad/s] > 0, speed over which it falls from breakaway to sliding; default
+        0.1
+    creep: [m/s or rad/s] > 0, speed at which it is 0.76 of its height: tanh(1); default 0.001
+    """
+
+    _struct_ = _abi.trk_seal_options
+
+    sliding: float = 0.0
+    breakaway: float = 0.0
+    stribeck: float = 0.1
+    creep: float = 0.001
+
+
+@dataclasses.dataclass(frozen=True)
 class Body(Fields):
     """Options of trk_spec_add_body().
 
     freedoms: [-] sum of TRK_FREE_...
-    mass: [kg] >= 0, > 0 if a translation is free; default 0
-    inertia: [kg m^2] about x, y, z through cg, >= 0, > 0 if free; default 0
+    mass: [kg] >= 0; compiling needs mass on every free translation, from here, point masses or
+        beams; default 0
+    inertia: [kg m^2] about x, y, z through cg, >= 0, likewise; default 0
     cg: [m] centre of gravity in the drawn position; default 0
     """
 
@@ -215,6 +350,7 @@ class Link(Fields):
     spring_scale: [-] a_s >= 0; default 1
     damper_scale: [-] a_d >= 0; default 1
     spring_offset: [m or rad] e_0, place on the curve at e = 0; default 0
+    law: [-] acts beside the others, copied: none
     """
 
     _struct_ = _abi.trk_link_options
@@ -233,6 +369,55 @@ class Link(Fields):
     spring_scale: float = 1.0
     damper_scale: float = 1.0
     spring_offset: float = 0.0
+    law: Optional[Law] = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Beam(Fields):
+    """Options of trk_spec_add_beam(): a straight beam (SPEC.6), by its stiffness and mass per
+    length. The functions trk_beam_options_...() fill them in from a section. Its axis runs from
+    from_point to to_point; `up` and the axis span the plane in which bending is about the
+    section's y axis.
+
+    from_body: [-] body id; 0 (default): clamped to the ground
+    to_body: [-] another body id; 0 (default) is the ground
+    from_point: [m] fixed to from_body; default 0
+    to_point: [m] fixed to to_body; default 0
+    up: [-] z axis of the section, not along the beam; default (0, 0, 1)
+    axial: [N] E A >= 0; default 0
+    torsion: [N m^2] G J >= 0; default 0
+    bending_y: [N m^2] E I_y >= 0, deflection along z; default 0
+    bending_z: [N m^2] E I_z >= 0, deflection along y; default 0
+    shear_y: [N] G A k_y of deflection along y; default 0: no shear (Euler-Bernoulli), > 0
+        Timoshenko
+    shear_z: [N] G A k_z of deflection along z; default 0: no shear
+    mass_per_length: [kg/m] >= 0; default 0
+    inertia_x: [kg m] >= 0, rotary inertia per length about the axis; default 0
+    inertia_y: [kg m] >= 0, about y of the section; default 0
+    inertia_z: [kg m] >= 0, about z of the section; default 0
+    mass_damping: [1/s] >= 0, alpha of Rayleigh damping C = alpha M + beta K; default 0
+    stiffness_damping: [s] >= 0, beta; default 0
+    """
+
+    _struct_ = _abi.trk_beam_options
+
+    from_body: int = 0
+    to_body: int = 0
+    from_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    to_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    up: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    axial: float = 0.0
+    torsion: float = 0.0
+    bending_y: float = 0.0
+    bending_z: float = 0.0
+    shear_y: float = 0.0
+    shear_z: float = 0.0
+    mass_per_length: float = 0.0
+    inertia_x: float = 0.0
+    inertia_y: float = 0.0
+    inertia_z: float = 0.0
+    mass_damping: float = 0.0
+    stiffness_damping: float = 0.0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -496,7 +681,7 @@ class NewmarkStatistics(Fields):
     iterations: [-] Newton iterations in all steps
     max_iterations: [-] most Newton iterations in one step
     worst_link: [-] link with the largest residual in that step, 0: none
-    nonlinear_links: [-] links with a curve
+    nonlinear_links: [-] links with a curve or a law of their own
     coordinates: [-] size of the system
     factor_entries: [-] entries of the factor of the linear part
     backend: [-] solver in use
@@ -524,6 +709,45 @@ class RungekuttaOptions(Fields):
     _struct_ = _abi.trk_rungekutta_options
 
     step: float = 0.001
+
+
+@dataclasses.dataclass(frozen=True)
+class LineariseOptions(Fields):
+    """Options of trk_model_linearise().
+
+    tolerance: [-] > 0, of the stiffness and damping of each link, and of the mean elongation in
+        standard deviations; default 1e-6
+    relaxation: [-] > 0, at most 1: share of each correction that is taken; it is halved
+        whenever corrections grow; default 1
+    max_iterations: [-] >= 1; default 100
+    """
+
+    _struct_ = _abi.trk_linearise_options
+
+    tolerance: float = 1e-06
+    relaxation: float = 1.0
+    max_iterations: int = 100
+
+
+@dataclasses.dataclass(frozen=True)
+class ReduceOptions(Fields):
+    """Options of trk_model_reduce().
+
+    pattern: [-] names of the bodies of the component, "frame.*"; default "*.*", not copied
+    modes: [-] fixed-interface modes kept, >= 0; default 20
+    interface_modes: [-] 0 (default): interface coordinates stay; else their motion is reduced
+        to that many modes of the component as a whole, the modes and rigid motions of lowest
+        frequency: smaller, but no longer exact in statics
+    modal_damping: [-] >= 0, damping ratio given to the kept fixed-interface modes, in place of
+        the damping of the beams there; default -1: keep that of the beams
+    """
+
+    _struct_ = _abi.trk_reduce_options
+
+    pattern: Optional[str] = "*.*"
+    modes: int = 20
+    interface_modes: int = 0
+    modal_damping: float = -1.0
 
 
 @dataclasses.dataclass(frozen=True)

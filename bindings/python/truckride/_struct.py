@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 import enum
+import re
 from typing import Any, ClassVar, TypeVar, Union
 
 from ._native import encode, text, whole
@@ -31,41 +32,45 @@ def member(kind: type[E], value: Union[E, str, int]) -> E:
 BITS = {ctypes.c_int32: 32, ctypes.c_int64: 64}
 
 
-def _fill(struct: Any, name: str, value: Any, keep: list[Any]) -> None:
+def _fill(struct: Any, name: str, value: Any, annotation: str, keep: list[Any]) -> None:
     """Set one field; what it points to is appended to keep."""
     kind = dict(struct._fields_)[name]
     if issubclass(kind, ctypes.Array):
         items = list(value)
         if len(items) != kind._length_:
             raise ArgumentError(f"{name}: {kind._length_} values are expected, not {len(items)}")
-        getattr(struct, name)[:] = [_plain(item, name, kind._type_, keep) for item in items]
+        getattr(struct, name)[:] = [_plain(item, name, kind._type_, annotation, keep)
+                                    for item in items]
     else:
-        setattr(struct, name, _plain(value, name, kind, keep))
+        setattr(struct, name, _plain(value, name, kind, annotation, keep))
 
 
-def _plain(value: Any, name: str, kind: Any, keep: list[Any]) -> Any:
-    if kind is ctypes.c_void_p:  # in these structs always a curve
-        from .curve import Curve
+def _plain(value: Any, name: str, kind: Any, annotation: str, keep: list[Any]) -> Any:
+    if kind is ctypes.c_void_p:
         if value is None:
             return None
-        keep.append(Curve._expect(value)._live())
+        keep.append(_class_of(annotation)._expect(value)._live())
         return keep[-1]._as_parameter_.value
     if kind in BITS:
         return whole(value, name, BITS[kind])
     return encode(value) if isinstance(value, str) else value
 
 
-def _read(value: Any, kind: str) -> Any:
+def _class_of(annotation: str) -> Any:
+    """Class of the objects that a field points to, None if it holds no objects."""
+    from .curve import Curve
+    from .law import Law
+    found = re.search(r"Optional\[(Curve|Law)\]", annotation)
+    return {"Curve": Curve, "Law": Law}[found[1]] if found else None
+
+
+def _read(value: Any, annotation: str) -> Any:
     if isinstance(value, ctypes.Array):
-        inner = kind[kind.index("[") + 1:].split(",")[0] if "[" in kind else ""
-        inner = "Curve" if "Curve" in kind else inner
-        return tuple(_read(item, inner) for item in value)
-    if "Curve" in kind:
-        from .curve import Curve
-        return Curve._copy_of(value) if value else None
-    if isinstance(value, bytes):
-        return text(value)
-    return value
+        return tuple(_read(item, annotation) for item in value)
+    kind = _class_of(annotation)
+    if kind:
+        return kind._copy_of(value) if value else None
+    return text(value) if isinstance(value, bytes) else value
 
 
 @dataclasses.dataclass(frozen=True)
@@ -92,7 +97,7 @@ class Fields:
         keep: list[Any] = []
         for field in dataclasses.fields(self):
             try:
-                _fill(struct, field.name, getattr(self, field.name), keep)
+                _fill(struct, field.name, getattr(self, field.name), str(field.type), keep)
             except (TypeError, ctypes.ArgumentError) as error:
                 raise ArgumentError(f"{type(self).__name__}.{field.name}: {error}") from None
         struct.keep = keep  # as long as the struct
@@ -113,6 +118,8 @@ class Fields:
 
 def options(kind: type[F], given: Union[F, None], changes: dict[str, Any]) -> F:
     """Options object and keyword arguments in one: the keywords win."""
+    if given is not None and not isinstance(given, kind):
+        raise TypeError(f"an object of the class {kind.__name__} is expected, not {given!r}")
     try:
         return kind(**changes) if given is None else given.replace(**changes)
     except TypeError as error:

@@ -10,15 +10,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union, ov
 import numpy as np
 import numpy.typing as npt
 
-from ._abi import Part, Scaling
+from ._abi import Part, RoadClass, Scaling
 from ._library import lib, quick
 from ._native import (Array, ComplexArray, Native, check, check_plain, create, optional, position,
                       scratch, text, vector)
-from ._options import SpectrumOptions
+from ._options import RoadOptions, SpectrumOptions
 from ._struct import options
 from .errors import ArgumentError, RangeError
 from .excitation import Excitation, as_excitation
 from .model import Model
+from .road import choose
 from .signal import Signal
 from .spectrum import Psd, psd_frequencies
 
@@ -64,23 +65,30 @@ class Modes(Native, Sequence[Mode]):
 
     Args:
         model: may be shared
-        damped: with damping (complex shapes) or without
+        damped: with damping (complex shapes) or without; default with, but for a count
         q: working point [m, rad]; default static equilibrium
         v: velocity at which curves are linearised [m/s, rad/s]; default rest; damped only
+        count: only so many of the lowest ones, undamped, of a model of any size
     """
 
-    def __init__(self, model: Model, damped: bool = True, q: Optional[npt.ArrayLike] = None,
-                 v: Optional[npt.ArrayLike] = None) -> None:
+    def __init__(self, model: Model, damped: Optional[bool] = None,
+                 q: Optional[npt.ArrayLike] = None, v: Optional[npt.ArrayLike] = None,
+                 count: Optional[int] = None) -> None:
+        native, n = Model._expect(model)._live(), model.count(Part.COORDINATE)
         self.model = model
-        self.damped = damped
-        n = model.count(Part.COORDINATE)
-        if damped:
-            self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_damped,
-                                  Model._expect(model)._live(), optional(q, "q", n),
-                                  optional(v, "v", n))
+        self.damped = count is None if damped is None else bool(damped)
+        if count is not None and self.damped:
+            raise ArgumentError("count: the lowest modes of a model are undamped ones")
+        places = optional(q, "q", n)
+        if self.damped:
+            self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_damped, native,
+                                  places, optional(v, "v", n))
+        elif count is None:
+            self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_undamped, native,
+                                  places)
         else:
-            self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_undamped,
-                                  Model._expect(model)._live(), optional(q, "q", n))
+            self._handle = create(quick.trk_modes_destroy, lib.trk_modes_create_lowest, native,
+                                  places, count)
 
     def __len__(self) -> int:
         return quick.trk_modes_count(self._live())
@@ -103,7 +111,7 @@ class Modes(Native, Sequence[Mode]):
         check_plain(lib.trk_modes_get_energy(handle, number, share.ctypes), "mode")
         return Mode(number, quick.trk_modes_frequency(handle, number),
                     quick.trk_modes_damped_frequency(handle, number),
-                    quick.trk_modes_damping_ratio(handle, number),
+                    quick.trk_modes_damping_ratio(handle, number) + 0.0,  # no -0
                     text(quick.trk_modes_label(handle, number)), re + 1j * im, share, self.model)
 
     def dominated_by(self, coordinate: Union[int, str]) -> list[Mode]:
@@ -185,14 +193,50 @@ def road_cross_spectra(model: Model, frequency: npt.ArrayLike, density: npt.Arra
         frequencies x inputs x inputs [m^2/Hz], for response_psd()
     """
     places, context = vector(frequency, "frequency"), scratch()
-    heights = vector(density, "density", len(places))
-    inputs = model.count(Part.ROAD) + model.count(Part.PORT)
-    out = np.empty((len(places), inputs, inputs), dtype=np.complex128)
+    heights, out = vector(density, "density", len(places)), _inputs(model, len(places))
     check(lib.trk_road_cross_spectra(context, Model._expect(model)._live(), len(places),
                                      places.ctypes, heights.ctypes, speed,
                                      optional(coherence, "coherence", len(places)), out.ctypes),
           context)
     return out
+
+
+def road_input_spectra(model: Model, frequency: npt.ArrayLike, speed: float,
+                       settings: Optional[RoadOptions] = None, *,
+                       road_class: Union[RoadClass, str, None] = None,
+                       **changes: Any) -> ComplexArray:
+    """Cross spectra of the inputs of a vehicle on a random road of ISO 8608, as road() makes it.
+
+    Args:
+        frequency: [Hz]
+        speed: [m/s]
+        settings: RoadOptions; its fields, or road_class "a" to "h", can be keywords too
+
+    Returns:
+        frequencies x inputs x inputs [m^2/Hz], for response_psd() and linearise()
+    """
+    places, context = vector(frequency, "frequency"), scratch()
+    chosen = choose(settings, road_class, changes)
+    out = _inputs(model, len(places))
+    check(lib.trk_road_input_spectra(context, Model._expect(model)._live(),
+                                     ctypes.byref(chosen._to_struct()), speed, len(places),
+                                     places.ctypes, out.ctypes), context)
+    return out
+
+
+def _inputs(model: Model, frequencies: int) -> ComplexArray:
+    """Room for the cross spectra of roads and ports."""
+    inputs = model.count(Part.ROAD) + model.count(Part.PORT)
+    return np.empty((frequencies, inputs, inputs), dtype=np.complex128)
+
+
+def check_inputs(model: Model, frequencies: int, given: npt.ArrayLike) -> ComplexArray:
+    """Cross spectra as the library reads them, of the shape that fits a model."""
+    size = model.count(Part.ROAD) + model.count(Part.PORT)
+    inputs, shape = np.ascontiguousarray(given, dtype=np.complex128), (frequencies, size, size)
+    if inputs.shape != shape:
+        raise ArgumentError(f"inputs: the shape {shape} is expected, not {inputs.shape}")
+    return inputs
 
 
 def _random(model: Model, frequency: Array, density: Array, rms: Array,
@@ -212,15 +256,12 @@ def response_psd(model: Model, frequency: npt.ArrayLike, inputs: npt.ArrayLike, 
 
     Args:
         frequency: [Hz], rising
-        inputs: frequencies x inputs x inputs, roads before ports, e.g. road_cross_spectra()
+        inputs: frequencies x inputs x inputs, roads before ports, of road_input_spectra() or
+            road_cross_spectra()
         q, v: working point [m, rad], [m/s, rad/s]; default rest at static equilibrium
     """
     places, context = vector(frequency, "frequency"), scratch()
-    n, size = model.count(Part.COORDINATE), model.count(Part.ROAD) + model.count(Part.PORT)
-    given = np.ascontiguousarray(inputs, dtype=np.complex128)
-    if given.shape != (len(places), size, size):
-        raise ArgumentError(f"inputs: the shape {(len(places), size, size)} is expected, not "
-                            f"{given.shape}")
+    n, given = model.count(Part.COORDINATE), check_inputs(model, len(places), inputs)
     density = np.empty((model.count(Part.SENSOR), len(places)))
     rms = np.empty(len(density))
     check(lib.trk_response_psd(context, Model._expect(model)._live(), optional(q, "q", n),

@@ -11,8 +11,10 @@ import numpy.typing as npt
 
 from ._abi import Part
 from ._library import lib, quick
-from ._native import Array, Exclusive, Native, check_plain, create, encode, optional, text, vector
-from ._options import ModelOptions
+from ._native import (Array, Exclusive, Handle, Native, check_plain, create, encode, optional,
+                      text, vector)
+from ._options import LineariseOptions, ModelOptions, ReduceOptions
+from ._struct import options
 from .errors import UnknownNameError
 from .spec import Description, Reference, Road, Spec
 
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from ._stepper import Stepper
     from .excitation import Excitation
     from .linear import Modes, Response
+    from .linearise import Linearised
     from .series import Series
     from .signal import Signal
 
@@ -48,6 +51,8 @@ class Model(Native):
         gravity: [m/s^2] downwards; 0 measures displacements from static equilibrium
         allow_free: admit bodies that nothing ties to ground or road
     """
+
+    _steps: tuple[tuple[str, tuple[Any, ...]], ...] = ()  # what was done to the compiled spec
 
     def __init__(self, spec: Spec, gravity: float = 0.0, allow_free: bool = False) -> None:
         self._options = ModelOptions(gravity, int(allow_free))
@@ -172,8 +177,37 @@ class Model(Native):
 
     # What follows from it
 
-    def modes(self, damped: bool = True, **options: Any) -> Modes:
-        """Damped or undamped modes; options as truckride.Modes."""
+    def reduce(self, settings: Optional[ReduceOptions] = None, **changes: Any) -> Model:
+        """A model of fewer coordinates: the inner nodes of a frame follow its interface to other
+        bodies, and move in its lowest modes besides (Craig-Bampton).
+
+        Keywords are the fields of ReduceOptions: pattern of the names of its nodes ("frame.*"),
+        modes (20), interface_modes, modal_damping [-].
+        """
+        given = options(ReduceOptions, settings, changes)
+        return self._derived("reduce", (given,), create(
+            quick.trk_model_destroy, lib.trk_model_reduce, self._live(),
+            ctypes.byref(given._to_struct())))
+
+    def linearise(self, frequency: npt.ArrayLike, inputs: npt.ArrayLike,
+                  **options: Any) -> Linearised:
+        """Linear links nearest to its own under random inputs; as truckride.linearise()."""
+        from .linearise import linearise
+        return linearise(self, frequency, inputs, **options)
+
+    def _linearised(self, frequency: Array, inputs: npt.ArrayLike,
+                    given: LineariseOptions) -> Model:
+        return self.linearise(frequency, inputs, settings=given).model
+
+    def _derived(self, step: str, given: tuple[Any, ...], handle: Handle) -> Model:
+        model = Model.__new__(Model)
+        model._options, model._spec = self._options, self._spec
+        model._steps, model._handle = (*self._steps, (step, given)), handle
+        return model
+
+    def modes(self, damped: Optional[bool] = None, **options: Any) -> Modes:
+        """Damped or undamped modes, or the lowest of a large model, modes(count=20); options as
+        truckride.Modes."""
         from .linear import Modes
         return Modes(self, damped, **options)
 
@@ -200,9 +234,17 @@ class Model(Native):
 
     def __reduce__(self) -> tuple[Any, ...]:
         self._live()
-        return Model, (self._spec, self._options.gravity, bool(self._options.allow_free))
+        return _rebuild, (self._spec, self._options, self._steps)
 
     def __repr__(self) -> str:
         if self.closed:
             return "<Model, closed>"
         return f"<Model '{self.name}', {self.count(Part.COORDINATE)} coordinates>"
+
+
+def _rebuild(spec: Spec, given: ModelOptions,
+             steps: tuple[tuple[str, tuple[Any, ...]], ...]) -> Model:
+    model = Model(spec, given.gravity, bool(given.allow_free))
+    for name, arguments in steps:
+        model = getattr(model, name)(*arguments)
+    return model

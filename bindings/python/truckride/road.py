@@ -28,13 +28,19 @@ def unevenness(road_class: Union[RoadClass, str]) -> float:
     return quick.trk_road_class_unevenness(member(RoadClass, road_class))
 
 
+def choose(settings: Optional[RoadOptions], road_class: Union[RoadClass, str, None],
+           changes: dict[str, Any]) -> RoadOptions:
+    """Options of a road, whose unevenness may be given by a class."""
+    if road_class is not None:
+        changes["unevenness"] = unevenness(road_class)
+    return options(RoadOptions, settings, changes)
+
+
 def road(settings: Optional[RoadOptions] = None, *,
          road_class: Union[RoadClass, str, None] = None, **changes: Any) -> Tracks:
     """A random road, the same for the same options; keywords are the fields of RoadOptions:
     unevenness [m^3] (or road_class), waviness, low, high [1/m], seed, tracks, track_width [m]."""
-    if road_class is not None:
-        changes["unevenness"] = unevenness(road_class)
-    chosen, left = options(RoadOptions, settings, changes), ctypes.c_void_p()
+    chosen, left = choose(settings, road_class, changes), ctypes.c_void_p()
 
     def make(context: int, out_right: Any) -> int:
         return lib.trk_road_create(context, ctypes.byref(chosen._to_struct()), ctypes.byref(left),

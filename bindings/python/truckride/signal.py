@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 class Signal(Native):
     """A function s(x) of time [s] or, as a road profile, of distance [m].
 
-    Made by Signal.step(), sine(), sweep(), samples() or points(), by road(), read_csv_signal()
-    or Surface.profile(). Immutable; threads and excitations may share it.
+    Made by Signal.step(), sine(), sweep(), samples() or points(), by road(), enveloped(),
+    read_csv_signal() or Surface.profile(). Immutable; threads and excitations may share it.
     """
 
     _recipe: tuple[str, tuple[Any, ...]]
@@ -61,6 +61,12 @@ class Signal(Native):
         from .crg import Surface
         source, settings, name = surface
         return Surface(source, settings, name=name).profile(v, smooth)
+
+    @classmethod
+    def _enveloped(cls, profile: Signal, samples: int, spacing: float, radius: float,
+                   length: float, start: float) -> Signal:
+        from .envelope import enveloped
+        return enveloped(profile, samples, spacing, radius=radius, length=length, start=start)
 
     @classmethod
     def step(cls, height: float, length: float, start: float = 0.0) -> Signal:

@@ -1,22 +1,26 @@
 # SPDX-License-Identifier: MIT
-"""Describe a vehicle: bodies, links, road inputs, force ports, sensors."""
+"""Describe a vehicle: bodies, links, beams, road inputs, force ports, sensors."""
 from __future__ import annotations
 
 import ctypes
 import dataclasses
 import operator
-from typing import TYPE_CHECKING, Any, Optional, Sequence, TypeVar, Union
+import os
+from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _abi
 from ._abi import Field, Free, Meaning, Motion, Part, Quantity
 from ._library import lib, quick
-from ._native import Exclusive, Native, check, check_plain, create, encode, text, vector
-from ._options import Body, Link, Port, Sensor
+from ._native import (Exclusive, Native, check, check_plain, create, encode, encode_path, scratch,
+                      text, vector, whole)
+from ._options import Beam, Body, Link, Port, Sensor
 from ._struct import Fields, member
 from .curve import Curve
 from .errors import UnknownNameError
+from .law import Law
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,8 +30,10 @@ if TYPE_CHECKING:
 Reference = Union[int, str]
 Point = Union[Sequence[float], npt.NDArray[np.float64]]
 F = TypeVar("F", bound=Fields)
+T = TypeVar("T")
 UP = (0.0, 0.0, 1.0)
 ORIGIN = (0.0, 0.0, 0.0)
+ALL_FREE = Free.X | Free.Y | Free.Z | Free.ROLL | Free.PITCH | Free.YAW
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,11 +64,18 @@ class Description:
     links: dict[str, Link]
     ports: dict[str, Port]
     sensors: dict[str, Sensor]
+    beams: dict[str, Beam] = dataclasses.field(default_factory=dict)
 
 
 def _triple(values: Point, what: str) -> tuple[float, float, float]:
     x, y, z = vector(values, what, 3).tolist()
     return x, y, z
+
+
+def _section(given: Any) -> Beam:
+    if not isinstance(given, Beam):
+        raise TypeError(f"a section, an object of the class Beam, is expected, not {given!r}")
+    return given
 
 
 class Spec(Native):
@@ -123,17 +136,62 @@ class Spec(Native):
                  stiffness: float = 0.0, damping: float = 0.0,
                  spring_curve: Optional[Curve] = None, damper_curve: Optional[Curve] = None,
                  spring_scale: float = 1.0, damper_scale: float = 1.0,
-                 spring_offset: float = 0.0) -> int:
+                 spring_offset: float = 0.0, law: Optional[Law] = None) -> int:
         """Add a spring and damper between two points, or with Motion.ROTATION an anti-roll bar.
 
         stiffness [N/m or N m/rad], damping [N s/m or N m s/rad], curves force over elongation
-        or rate, positive in extension; without from_body and from_road it starts at the ground.
+        or rate, positive in extension; a law acts beside them. Without from_body and from_road
+        it starts at the ground.
         """
         return self._add_options(quick.trk_spec_add_link, name, Link(
             motion, self.find(Part.BODY, from_body), self.find(Part.ROAD, from_road),
             self.find(Part.BODY, to_body), _triple(from_point, "from_point"),
             _triple(to_point, "to_point"), _triple(direction, "direction"), stiffness, damping,
-            spring_curve, damper_curve, spring_scale, damper_scale, spring_offset))
+            spring_curve, damper_curve, spring_scale, damper_scale, spring_offset, law))
+
+    def add_beam(self, name: str, section: Beam, from_body: Reference, to_body: Reference,
+                 from_point: Optional[Point] = None, to_point: Optional[Point] = None,
+                 up: Point = UP) -> int:
+        """Add a beam between points [m] of two bodies, by default their centres of gravity; the
+        body 0 is the ground, to which it is clamped. Stiffness, mass and damping are those of a
+        section: truckride.section.channel()."""
+        ends = [self.find(Part.BODY, body) for body in (from_body, to_body)]
+        points = [_triple(point, "point") if point is not None
+                  else self.body(body).cg if body else ORIGIN
+                  for body, point in zip(ends, (from_point, to_point))]
+        return self._add_options(quick.trk_spec_add_beam, name, _section(section).replace(
+            from_body=ends[0], to_body=ends[1], from_point=points[0], to_point=points[1],
+            up=_triple(up, "up")))
+
+    def add_frame(self, name: str, stations: npt.ArrayLike, crosses: npt.ArrayLike, *,
+                  rail: Beam, member: Beam, half_width: float, z: float = 0.0,
+                  longest: float = 0.0, member_elements: int = 1,
+                  freedoms: Free = ALL_FREE) -> None:
+        """Add a ladder frame: two rails of a section with nodes at stations x [m], joined by
+        members of a section at crosses x [m], each one of the stations.
+
+        half_width: |y| of the rails [m]; z: their height [m]; longest: no element is longer [m], 0
+        for stations only. Nodes are bodies called NAME.left.1, NAME.right.1, ... Free.Z |
+        Free.ROLL | Free.PITCH make a frame that needs no ties in the horizontal plane.
+        """
+        x, members = vector(stations, "stations"), vector(crosses, "crosses")
+        inner = _section(rail)._to_struct(), _section(member)._to_struct()
+        struct = _abi.trk_frame_options(
+            struct_size=ctypes.sizeof(_abi.trk_frame_options),
+            freedoms=whole(freedoms, "freedoms", 32), half_width=half_width, z=z, longest=longest,
+            stations=len(x), station=x.ctypes.data, crosses=len(members), cross=members.ctypes.data,
+            rail=ctypes.pointer(inner[0]), member=ctypes.pointer(inner[1]),
+            member_elements=whole(member_elements, "member_elements", 32))
+        with Exclusive(self) as handle:
+            check(quick.trk_spec_add_frame(handle, encode(name), ctypes.byref(struct)),
+                  handle.context)
+
+    def nearest_body(self, pattern: str, point: Point) -> int:
+        """Id of the body nearest to a point [m] of those whose name matches, "frame.*"."""
+        out, place = ctypes.c_int32(), vector(point, "point", 3)
+        check_plain(quick.trk_spec_nearest_body(self._live(), encode(pattern), place.ctypes,
+                                                ctypes.byref(out)), f"{self.name}: {pattern!r}")
+        return out.value
 
     def add_port(self, name: str, body: Reference, point: Point = ORIGIN, direction: Point = UP,
                  motion: Motion = Motion.TRANSLATION) -> int:
@@ -186,6 +244,9 @@ class Spec(Native):
     def link(self, link: Reference) -> Link:
         return self._get(Link, quick.trk_spec_get_link, Part.LINK, link)
 
+    def beam(self, beam: Reference) -> Beam:
+        return self._get(Beam, quick.trk_spec_get_beam, Part.BEAM, beam)
+
     def sensor(self, sensor: Reference) -> Sensor:
         return self._get(Sensor, quick.trk_spec_get_sensor, Part.SENSOR, sensor)
 
@@ -215,6 +276,10 @@ class Spec(Native):
         """Change fields of a link: update_link("front_tire", stiffness=9e5)."""
         self._set(quick.trk_spec_set_link, Part.LINK, link, self.link(link).replace(**changes))
 
+    def update_beam(self, beam: Reference, **changes: Any) -> None:
+        """Change fields of a beam: update_beam("frame.left.1", bending_y=1e6)."""
+        self._set(quick.trk_spec_set_beam, Part.BEAM, beam, self.beam(beam).replace(**changes))
+
     def _set(self, function: Any, part: Part, reference: Reference, given: Fields) -> None:
         number, struct = self.find(part, reference), given._to_struct()
         with Exclusive(self) as handle:
@@ -222,9 +287,12 @@ class Spec(Native):
 
     def vary(self, pattern: str, field: Union[Field, str], value: float,
              meaning: Union[Meaning, str] = Meaning.FACTOR) -> int:
-        """Multiply a field ("stiffness", "damping" of links; "mass", "inertia", "mass_inertia" of
-        bodies) of all parts whose name matches a pattern, or with meaning "value" replace it:
-        vary("front_*_tire", "stiffness", 1.1). Returns how many matched."""
+        """Multiply a field of all parts whose name matches, or with meaning "value" replace it:
+        vary("front_*_tire", "stiffness", 1.1). Returns how many matched.
+
+        field: "stiffness", "damping" or, of their laws, "friction" or "approach" of links;
+            "mass", "inertia" or "mass_inertia" of bodies; "bending" of beams
+        """
         out, kind, means = ctypes.c_int32(), member(Field, field), member(Meaning, meaning)
         with Exclusive(self) as handle:
             check(quick.trk_spec_vary(handle, kind, encode(pattern), means, value,
@@ -241,18 +309,51 @@ class Spec(Native):
         from . import plot
         return plot.side_view(self.describe(), **options)
 
+    # As a file
+
+    @classmethod
+    def read(cls, path: Union[str, os.PathLike[str]]) -> Spec:
+        """Read a model file: Spec.read("truck.json").compile()."""
+        return cls._make(lib.trk_model_file_read, encode_path(path))
+
+    @classmethod
+    def from_json(cls, json: str, source: str = "text",
+                  folder: Union[str, os.PathLike[str], None] = None) -> Spec:
+        """Read the text of a model file.
+
+        source: what messages call it
+        folder: where tables that it names are looked for; without one they are refused
+        """
+        given = json.encode("utf-8")
+        return cls._make(lib.trk_model_file_parse, given, len(given), encode(source),
+                         None if folder is None else encode_path(folder))
+
+    def to_json(self) -> str:
+        """Text of a model file that reads back as this spec, to the bit."""
+        length = ctypes.c_size_t()
+        with Exclusive(self) as handle:
+            lib.trk_model_file_format(handle, 0, None, ctypes.byref(length))
+            room = ctypes.create_string_buffer(length.value + 1)
+            check_plain(lib.trk_model_file_format(handle, len(room), room, None), "a model file")
+        return room.value.decode("utf-8")
+
+    def write(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Write a model file, replacing what is there only when all is written."""
+        with Exclusive(self) as handle:
+            context = scratch()
+            check(lib.trk_model_file_write(context, handle, encode_path(path)), context)
+
     # As plain data
 
     def describe(self) -> Description:
         """All parts as plain data."""
+        def all_of(part: Part, get: Callable[[int], T]) -> dict[str, T]:
+            return {name: get(number) for number, name in enumerate(self.names(part), 1)}
         return Description(
-            self.name,
-            {name: self.body(name) for name in self.names(Part.BODY)},
-            {name: self.mass(name) for name in self.names(Part.MASS)},
-            {name: self.road(name) for name in self.names(Part.ROAD)},
-            {name: self.link(name) for name in self.names(Part.LINK)},
-            {name: self.port(name) for name in self.names(Part.PORT)},
-            {name: self.sensor(name) for name in self.names(Part.SENSOR)})
+            self.name, all_of(Part.BODY, self.body), all_of(Part.MASS, self.mass),
+            all_of(Part.ROAD, self.road), all_of(Part.LINK, self.link),
+            all_of(Part.PORT, self.port), all_of(Part.SENSOR, self.sensor),
+            all_of(Part.BEAM, self.beam))
 
     @classmethod
     def from_description(cls, description: Description) -> Spec:
@@ -270,6 +371,8 @@ class Spec(Native):
             spec._add_options(quick.trk_spec_add_port, name, port)
         for name, sensor in description.sensors.items():
             spec._add_options(quick.trk_spec_add_sensor, name, sensor)
+        for name, beam in description.beams.items():
+            spec._add_options(quick.trk_spec_add_beam, name, beam)
         return spec
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -279,5 +382,6 @@ class Spec(Native):
         if self.closed:
             return "<Spec, closed>"
         counts = ", ".join(f"{self.count(part)} {word}" for part, word in (
-            (Part.BODY, "bodies"), (Part.LINK, "links"), (Part.SENSOR, "sensors")))
+            (Part.BODY, "bodies"), (Part.LINK, "links"), (Part.BEAM, "beams"),
+            (Part.SENSOR, "sensors")) if part != Part.BEAM or self.count(part))
         return f"<Spec '{self.name}': {counts}>"

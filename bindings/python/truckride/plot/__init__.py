@@ -8,7 +8,7 @@ except ImportError as missing:
                       ) from missing
 
 from .bode import bode
-from .curves import curve, curves, signal
+from .curves import curve, curves, loop, signal
 from .fit import solution
 from .motion import animate
 from .signals import channels, choose, psd, psds
@@ -16,6 +16,6 @@ from .study import study
 from .style import COLORS, new_axes, new_figure, style, styled
 from .truck import mode, modes, side_view
 
-__all__ = ["COLORS", "animate", "bode", "channels", "choose", "curve", "curves", "mode", "modes",
-           "new_axes", "new_figure", "psd", "psds", "side_view", "signal", "solution", "study",
-           "style", "styled"]
+__all__ = ["COLORS", "animate", "bode", "channels", "choose", "curve", "curves", "loop", "mode",
+           "modes", "new_axes", "new_figure", "psd", "psds", "side_view", "signal", "solution",
+           "study", "style", "styled"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Damper and spring curves with their tables, signals over time."""
+"""Damper and spring curves with their tables, loops of laws, signals over time."""
 from __future__ import annotations
 
 from typing import Optional, Sequence
@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..curve import Curve
+from ..law import Law
 from ..signal import Signal
 from .style import label, new_axes, readable, styled
 
@@ -48,6 +49,28 @@ def curves(shown: Sequence[Curve], ax: Optional[Axes] = None, title: str = "",
         curve(item, axes, x=x, title=" ")
     axes.legend(loc="best")
     axes.set_title(title)
+    return axes
+
+
+@styled
+def loop(shown: Law, amplitude: float, frequency: float = 1.0, ax: Optional[Axes] = None, *,
+         stiffness: float = 0.0, cycles: int = 2, x: str = "elongation [mm]",
+         y: str = "force [kN]", scale: tuple[float, float] = (1e3, 1e-3),
+         title: str = "") -> Axes:
+    """Last cycle of a law under a sine of an amplitude [m or rad] and a frequency [Hz].
+
+    stiffness [N/m] is that of the link beside the law; scale multiplies abscissa and ordinate.
+    """
+    axes = new_axes(ax, 6.5, 4.2)
+    count = 1000
+    time = np.arange(cycles * count + 1) / (count * frequency)
+    path = amplitude * np.sin(2 * np.pi * frequency * time)
+    force = shown.trace(path, 1 / (count * frequency)).force + stiffness * path
+    last = slice(-count - 1, None)
+    axes.plot(scale[0] * path[last], scale[1] * force[last], label=readable(shown.name))
+    axes.set_xlabel(f"{x}, extension positive")
+    axes.set_ylabel(y)
+    axes.set_title(title or readable(shown.name))
     return axes
 
 

@@ -61,8 +61,8 @@ def animate(model: Model, excitation: Union[Excitation, Signal], path: Union[str
     """
     target = pathlib.Path(path)
     writer = _writer(target, rate)
-    description, names = model.describe(), model.coordinates
-    scene = geometry.scene(description, SIDE)
+    names = model.coordinates
+    scene = geometry.scene(model.describe(), SIDE, {name.rsplit(".", 1)[0] for name in names})
     frames = _frames(model, as_excitation(model, excitation), duration, step,
                      max(1, int(round(1 / (rate * step)))))
     axes = new_axes(None, 6.4, 3.6)
@@ -77,8 +77,7 @@ def animate(model: Model, excitation: Union[Excitation, Signal], path: Union[str
     figure = axes.figure
     with writer.saving(figure, str(target), dpi=100):
         for time, q, height in frames:
-            drawing.move({number: geometry.motion_of(names, description, magnify * q, number, SIDE)
-                          for number in scene.boxes})
+            drawing.move(geometry.motions(names, scene, magnify * q))
             for road, line, place in roads:
                 level = scene.ground + magnify * height[road - 1]
                 line.set_data([place - WHEEL, place + WHEEL], [level, level])

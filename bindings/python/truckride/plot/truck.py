@@ -6,16 +6,16 @@ from typing import Any, Optional
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon, Rectangle
 
 from ..linear import Mode, Modes
 from ..spec import Description
 from . import geometry
-from .geometry import FRONT, SIDE, WHEEL, Scene
+from .geometry import FRONT, SIDE, STILL, WHEEL, Motions, Scene
 from .style import COLORS, DARK, GREY, LIGHT, new_axes, new_figure, readable, styled
 
-STILL = (0.0, 0.0, 0.0)
 FILL = ["#f2f2f2", "#c9d9e8", "#dbe8d5", "#f4e3d3"]
 
 
@@ -42,15 +42,12 @@ class Drawing:
         self.dampers: list[tuple[Any, Any]] = []
         self.wheels: list[tuple[Any, Any]] = []
         for number, box in scene.boxes.items():
+            if box.node and number in scene.beams.bodies:
+                continue
             fill = "none" if self.ghost else FILL[min(box.rank, len(FILL)) - 1]
             patch = Polygon(box.outline, closed=True, facecolor=fill, edgecolor=line,
                             linewidth=1.3, joinstyle="round", zorder=3 + 0.1 * box.rank)
             self.bodies[number] = axes.add_patch(patch)
-            if names and box.rank > 1:
-                axes.annotate(readable(box.name), ((box.left + box.right) / 2, box.top),
-                              xytext=(0, -11 if box.top - box.bottom > 0.4 else 3),
-                              textcoords="offset points", ha="center", fontsize=8.5, color=DARK,
-                              zorder=7)
             if not self.ghost and box.top - box.bottom > 0.4:
                 axes.plot(*box.cg, marker="+", color=line, markersize=7, zorder=6)
         for strut in scene.struts:
@@ -61,6 +58,9 @@ class Drawing:
                 target.append((strut, axes.plot([], [], **style)[0] if there else None))
         for wheel in scene.wheels:
             self.wheels.append((wheel, axes.add_patch(self._wheel(wheel, line))))
+        self.beams = Beams(axes, scene, line) if len(scene.beams.bodies) else None
+        if names:
+            name_parts(axes, scene)
         self.move({})
 
     def _wheel(self, wheel: Any, line: str) -> Any:
@@ -71,8 +71,10 @@ class Drawing:
             return Circle((place, height), WHEEL, **look)
         return Rectangle((place - 0.15, height - WHEEL), 0.3, 2 * WHEEL, **look)
 
-    def move(self, motion: dict[int, tuple[float, float, float]]) -> None:
+    def move(self, motion: Motions) -> None:
         boxes = self.scene.boxes
+        if self.beams:
+            self.beams.move(motion)
 
         def at(number: int, point: tuple[float, float]) -> Any:
             return geometry.moved(np.array([point]), boxes[number].cg,
@@ -98,13 +100,56 @@ class Drawing:
                 patch.set_xy((x - 0.15, z - WHEEL))
 
 
+class Beams:
+    """Beams of frames as curves; those end on to the view as strokes that turn with their nodes."""
+
+    def __init__(self, axes: Axes, scene: Scene, color: str) -> None:
+        self.scene, far = scene, scene.beams.far
+        self.lines = []
+        for part, width in ((far, 1.0), (~far, 2.4)):
+            lines = LineCollection([], colors=color, linewidths=width, capstyle="round",
+                                   zorder=3.2 if width < 2 else 3.6)
+            self.lines.append((part, axes.add_collection(lines, autolim=False)))
+        self.pieces = 8 if len(far) <= 400 else 2
+        self.strokes = axes.add_collection(LineCollection(
+            [], colors=color, linewidths=1.4, capstyle="butt", zorder=3.4), autolim=False)
+
+    def move(self, motion: Motions) -> None:
+        shape = geometry.bent(self.scene, motion, self.pieces)
+        for part, lines in self.lines:
+            lines.set_segments(shape[part])
+        self.strokes.set_segments(geometry.strokes(self.scene, motion))
+
+
+def name_parts(axes: Axes, scene: Scene) -> None:
+    """Names at bodies and frames; of two at one place what they have in common: "tank"."""
+    look = {"textcoords": "offset points", "fontsize": 8.5, "color": DARK, "zorder": 7}
+    found: dict[tuple[float, float], list[Any]] = {}
+    for box in scene.boxes.values():
+        if box.rank > 1 and not box.node:
+            place = (round((box.left + box.right) / 2, 1), round(box.top, 1))
+            found.setdefault(place, []).append(box)
+    for boxes in found.values():
+        words = zip(*(readable(box.name).split() for box in boxes))
+        shared = " ".join(same[0] for same in words if len(set(same)) == 1)
+        box = boxes[-1]
+        axes.annotate(shared or readable(box.name), ((box.left + box.right) / 2, box.top),
+                      xytext=(0, -11 if box.top - box.bottom > 0.4 else 3), ha="center", **look)
+    # Where the view begins: +x is right at the side, +y left from behind.
+    first = min if scene.view == SIDE else max
+    for name, nodes in scene.frames.items():
+        corner = first(box.left for box in nodes), max(box.top for box in nodes)
+        axes.annotate(readable(name), corner, xytext=(0, 3), **look)
+
+
 def frame_axes(axes: Axes, scene: Scene, margin: float = 0.35) -> None:
     """Limits around the vehicle, wide enough that a single wheel does not fill the page."""
     left = min([box.left for box in scene.boxes.values()]
                + [place - WHEEL for _, place, _, _ in scene.wheels]) - margin
     right = max([box.right for box in scene.boxes.values()]
                 + [place + WHEEL for _, place, _, _ in scene.wheels]) + margin
-    top = max(box.top for box in scene.boxes.values()) + margin
+    top = max([box.top for box in scene.boxes.values()]
+              + [height + WHEEL for _, _, height, _ in scene.wheels]) + margin
     short = max(0.0, 2.6 - (right - left)) / 2
     left, right = left - short, right + short
     axes.set_aspect("equal")
@@ -142,6 +187,16 @@ def _view_of(mode: Mode, names: list[str]) -> int:
         "pitch", 0) else SIDE
 
 
+def _leading(mode: Mode, scene: Scene) -> str:
+    """What moves most: a coordinate, or a frame as a whole."""
+    part, share = mode.label, float(mode.energy.max())
+    frame = part.split(".")[0]
+    if frame in scene.frames:
+        inside = [name.startswith(f"{frame}.") for name in mode.model.coordinates]
+        part, share = frame, float(mode.energy[inside].sum())
+    return f"{readable(part).replace('.', ' ')} {100 * share:.0f} % of energy"
+
+
 @styled
 def mode(shown: Mode, ax: Optional[Axes] = None, *, view: str = "", size: float = 0.2,
          title: str = "", bare: bool = False) -> Axes:
@@ -152,23 +207,20 @@ def mode(shown: Mode, ax: Optional[Axes] = None, *, view: str = "", size: float 
     """
     description, names = shown.model.describe(), shown.model.coordinates
     chosen = {"side": SIDE, "front": FRONT}.get(view, _view_of(shown, names))
-    scene = geometry.scene(description, chosen)
+    # A reduced model has no coordinates of the inner nodes of its frame.
+    scene = geometry.scene(description, chosen, {name.rsplit(".", 1)[0] for name in names})
     axes = new_axes(ax, 7, 3.8)
     ground_line(axes, scene)
     Drawing(axes, scene, LIGHT)
-    values = shown.shape.real
-    motion = {number: geometry.motion_of(names, description, values, number, chosen)
-              for number in scene.boxes}
-    reach = max(float(np.abs(geometry.moved(box.outline, box.cg, motion[number])
-                             - box.outline).max()) for number, box in scene.boxes.items())
+    motion = geometry.motions(names, scene, shown.shape.real)
+    reach = geometry.reach(scene, motion)
     factor = size / reach if reach > 1e-12 else 0.0
     Drawing(axes, scene, COLORS[0]).move(
         {number: (a * factor, b * factor, c * factor) for number, (a, b, c) in motion.items()})
     frame_axes(axes, scene)
-    share = float(shown.energy.max())
-    axes.set_title(title or f"{shown.frequency:.2f} Hz, damping {100 * shown.damping_ratio:.1f} %")
-    note = (f"{readable(shown.label).replace('.', ' ')} {100 * share:.0f} % of energy, "
-            f"seen from {'the side' if chosen == SIDE else 'behind'}")
+    damping = f", damping {100 * shown.damping_ratio:.1f} %" if shown.damping_ratio else ""
+    axes.set_title(title or f"{shown.frequency:.2f} Hz{damping}")
+    note = f"{_leading(shown, scene)}, seen from {'the side' if chosen == SIDE else 'behind'}"
     if bare:
         axes.set_xlabel(note, fontsize=8.5, color=GREY, loc="left")
         axes.title.set_fontsize(9.5)
@@ -185,14 +237,14 @@ def mode(shown: Mode, ax: Optional[Axes] = None, *, view: str = "", size: float 
 
 
 @styled
-def modes(shown: Modes, *, columns: int = 4, title: str = "") -> Figure:
-    """All modes on one page."""
-    count = len(shown)
+def modes(shown: Modes, *, count: int = 16, columns: int = 4, title: str = "") -> Figure:
+    """The first modes on one page."""
+    count = min(count, len(shown))
     columns = min(columns, count)
     rows = -(-count // columns)
     figure = new_figure(3.4 * columns, 2.25 * rows + 0.4)
     panels = np.atleast_1d(figure.subplots(rows, columns)).ravel()
-    for panel, item in zip(panels, shown):
+    for panel, item in zip(panels, shown[:count]):
         mode(item, panel, bare=True)
     for panel in panels[count:]:
         panel.set_visible(False)
