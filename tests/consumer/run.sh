@@ -68,9 +68,10 @@ pkg-config --static --cflags truckride | grep -q -e -DTRUCKRIDE_STATIC || fail "
 step "a build without the shared library: plain pkg-config and find_package are static"
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 features=(-DTRUCKRIDE_WITH_CHOLMOD="$(cached TRUCKRIDE_WITH_CHOLMOD)"
-    -DTRUCKRIDE_WITH_LAPACK="$(cached TRUCKRIDE_WITH_LAPACK)" -DTRUCKRIDE_WITH_NLOPT="$(cached TRUCKRIDE_WITH_NLOPT)")
+    -DTRUCKRIDE_WITH_LAPACK="$(cached TRUCKRIDE_WITH_LAPACK)" -DTRUCKRIDE_WITH_NLOPT="$(cached TRUCKRIDE_WITH_NLOPT)"
+    -DTRUCKRIDE_WITH_JSON="$(cached TRUCKRIDE_WITH_JSON)" -DTRUCKRIDE_WITH_ARPACK="$(cached TRUCKRIDE_WITH_ARPACK)")
 quietly "$cmake" "${generator[@]}" -S "$source" -B "$top/only" -DTRUCKRIDE_BUILD_SHARED=OFF \
-    -DTRUCKRIDE_BUILD_TESTS=OFF -DTRUCKRIDE_BUILD_EXAMPLES=OFF -DTRUCKRIDE_BUILD_STUDY=OFF "${features[@]}"
+    -DTRUCKRIDE_BUILD_TESTS=OFF -DTRUCKRIDE_BUILD_EXAMPLES=OFF -DTRUCKRIDE_BUILD_STUDY=OFF -DTRUCKRIDE_BUILD_CLI=OFF "${features[@]}"
 cp "$archive" "$top/only/lib" # the same archive: compiling it again would show nothing
 quietly "$cmake" --install "$top/only" --prefix "$top/archive"
 archive=$(find "$top/archive" -name libtruckride.a)

@@ -80,7 +80,7 @@ static void on_axles(trk_context *context, int32_t axles, int32_t high, double c
     assert_ok(context, trk_spec_create(context, "lorry", &spec));
     assert_ok(context, trk_spec_add_body(spec, "frame", &body, &link.to_body));
     for (int32_t k = 0; k < 2 * axles; k++) {
-        char name[16];
+        char name[24];
         x[k] = link.to_point[0] = 2.5 - 1.3 * (k / 2) - (k / 2 > 0 ? 1.5 : 0);
         y[k] = link.to_point[1] = k % 2 ? -1 : 1;
         snprintf(name, sizeof name, "tire %d", k);
