@@ -14,6 +14,11 @@ trk_status trk_spec_nearest_body(const trk_spec *spec, const char *pattern, cons
     TRK_REQUIRE(context, point, "trk_spec_nearest_body");
     TRK_REQUIRE(context, out_body, "trk_spec_nearest_body");
     *out_body = 0;
+    for (int k = 0; k < 3; k++)
+        if (!isfinite(point[k]))
+            return trk_fail(context, TRK_E_RANGE,
+                            "trk_spec_nearest_body: point[%d] is %g; a finite number is needed", k,
+                            point[k]);
     double least = INFINITY;
     for (int32_t b = 1; b <= trk_spec_count(spec, TRK_PART_BODY); b++) {
         const double *cg = spec->bodies[b - 1].cg;

@@ -64,16 +64,8 @@ static void steepest(const trk_law *law, double *out_stiffness, double *out_damp
     *out_damping = 0;
 }
 
-static int32_t numbers(const trk_law *law, trk_law_part part, double *out_first)
+static trk_status copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
-    (void)law, (void)part, (void)out_first;
-    return 0;
-}
-
-static trk_status remake(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law)
-{
-    (void)part, (void)factor;
     return trk_law_create_air_spring(context, law->name, of(law), out_law);
 }
 
@@ -86,8 +78,7 @@ static const trk_law_ops ops = {.kind = TRK_LAW_AIR_SPRING,
                                 .stored = trk_air_stored,
                                 .lost = trk_air_lost,
                                 .steepest = steepest,
-                                .numbers = numbers,
-                                .remake = remake};
+                                .copy = copy};
 
 void trk_air_spring_options_init(trk_air_spring_options *options, size_t struct_size)
 {

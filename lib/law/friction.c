@@ -64,18 +64,9 @@ static void steepest(const trk_law *law, double *out_stiffness, double *out_damp
     *out_damping = 0;
 }
 
-static int32_t numbers(const trk_law *law, trk_law_part part, double *out_first)
+static trk_status copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
-    return part == TRK_LAW_PART_FRICTION ? trk_law_distinct(&of(law)->friction, 1, out_first) : 0;
-}
-
-static trk_status remake(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law)
-{
-    trk_friction_options o = *of(law);
-    if (part == TRK_LAW_PART_FRICTION)
-        o.friction *= factor;
-    return trk_law_create_friction(context, law->name, &o, out_law);
+    return trk_law_create_friction(context, law->name, of(law), out_law);
 }
 
 static const trk_law_ops ops = {.kind = TRK_LAW_FRICTION,
@@ -87,8 +78,7 @@ static const trk_law_ops ops = {.kind = TRK_LAW_FRICTION,
                                 .stored = stored,
                                 .lost = lost,
                                 .steepest = steepest,
-                                .numbers = numbers,
-                                .remake = remake};
+                                .copy = copy};
 
 void trk_friction_options_init(trk_friction_options *options, size_t struct_size)
 {

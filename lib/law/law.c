@@ -63,41 +63,12 @@ trk_status trk_law_read(const trk_law *law, trk_law_kind kind, const void *known
     return trk_write_options(out_options, known, known_size);
 }
 
-int32_t trk_law_distinct(const double *values, int32_t count, double *out_first)
-{
-    int32_t distinct = 0;
-    for (int32_t k = 0; k < count; k++) {
-        if (values[k] == 0 || (distinct && values[k] == *out_first))
-            continue;
-        if (!distinct)
-            *out_first = values[k];
-        distinct++;
-    }
-    return distinct;
-}
-
-trk_status trk_law_scaled(trk_context *context, const trk_law *law, trk_law_part part,
-                          double factor, trk_law **out_law)
-{
-    double first;
-    *out_law = NULL;
-    if (law->ops->numbers(law, part, &first) == 0)
-        return trk_fail(context, TRK_E_MODEL, "%s '%s' has nothing of that kind to vary",
-                        law->ops->word, law->name);
-    return law->ops->remake(context, law, part, factor, out_law);
-}
-
-bool trk_law_number(const trk_law *law, trk_law_part part, double *out_value)
-{
-    return law->ops->numbers(law, part, out_value) == 1;
-}
-
 trk_status trk_law_copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
     TRK_REQUIRE(context, out_law, "trk_law_copy");
     *out_law = NULL;
     TRK_REQUIRE(context, law, "trk_law_copy");
-    return law->ops->remake(context, law, TRK_LAW_PART_NONE, 1, out_law);
+    return law->ops->copy(context, law, out_law);
 }
 
 void trk_law_destroy(trk_law *law)

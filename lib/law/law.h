@@ -17,16 +17,6 @@ typedef struct trk_law_point {
 /* Memory of the law that remembers most, so that trial memory can live on the stack. */
 enum { TRK_LAW_STATES = 2 };
 
-/* Which numbers of a law are varied: those of trk_field. */
-typedef int32_t trk_law_part;
-enum {
-    TRK_LAW_PART_NONE = 0,
-    TRK_LAW_PART_STIFFNESS = 1, /* tire, stops            */
-    TRK_LAW_PART_DAMPING = 2,   /* tire                   */
-    TRK_LAW_PART_FRICTION = 3,  /* leaf, friction, seal   */
-    TRK_LAW_PART_APPROACH = 4   /* leaf                   */
-};
-
 typedef struct trk_law_ops {
     trk_law_kind kind;
     const char *word; /* in messages: "leaf spring" */
@@ -50,12 +40,7 @@ typedef struct trk_law_ops {
     double (*lost)(const trk_law *law, const double *z, double e, double v);
     /* Bound |df/de|, |df/dv| where they end: for statics that start where a law is slack. */
     void (*steepest)(const trk_law *law, double *out_stiffness, double *out_damping);
-    /* Numbers of a part: how many that differ and are not zero; the first of them is written.
-     * A curve counts as two, as it has no single value. */
-    int32_t (*numbers)(const trk_law *law, trk_law_part part, double *out_first);
-    /* A copy with the numbers of a part multiplied by factor. */
-    trk_status (*remake)(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law);
+    trk_status (*copy)(trk_context *context, const trk_law *law, trk_law **out_law);
     void (*release)(trk_law *law); /* what a kind owns beside its struct; NULL: nothing */
 } trk_law_ops;
 
@@ -65,14 +50,6 @@ struct trk_law {
     const trk_law_ops *ops;
     char *name;
 };
-
-/* A copy whose numbers of a part are multiplied by factor. TRK_E_MODEL: the law has nothing of
- * that sort; other errors as the create functions. */
-trk_status trk_law_scaled(trk_context *context, const trk_law *law, trk_law_part part,
-                          double factor, trk_law **out_law);
-
-/* True when the part is one single number, not zero. */
-bool trk_law_number(const trk_law *law, trk_law_part part, double *out_value);
 
 /*
  * What every create function begins with: *out_law = NULL, no pointer NULL, the caller's
@@ -94,8 +71,5 @@ trk_status trk_law_check_not_negative(trk_context *context, const trk_law_ops *o
 /* What every get function does. */
 trk_status trk_law_read(const trk_law *law, trk_law_kind kind, const void *known, size_t known_size,
                         void *out_options);
-
-/* The first number of a list of count, how many differ from it and from zero: for `numbers`. */
-int32_t trk_law_distinct(const double *values, int32_t count, double *out_first);
 
 #endif

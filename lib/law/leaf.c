@@ -79,29 +79,9 @@ static void steepest(const trk_law *law, double *out_stiffness, double *out_damp
     *out_damping = 0;
 }
 
-static int32_t numbers(const trk_law *law, trk_law_part part, double *out_first)
+static trk_status copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
-    const trk_leaf_options *o = of(law);
-    if (part == TRK_LAW_PART_APPROACH)
-        return trk_law_distinct((double[]){o->approach_bump, o->approach_rebound}, 2, out_first);
-    if (part != TRK_LAW_PART_FRICTION)
-        return 0;
-    *out_first = o->friction;
-    return o->friction_slope == 0 ? 1 : 2;
-}
-
-static trk_status remake(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law)
-{
-    trk_leaf_options o = *of(law);
-    if (part == TRK_LAW_PART_FRICTION) {
-        o.friction *= factor;
-        o.friction_slope *= factor;
-    } else if (part == TRK_LAW_PART_APPROACH) {
-        o.approach_bump *= factor;
-        o.approach_rebound *= factor;
-    }
-    return trk_law_create_leaf(context, law->name, &o, out_law);
+    return trk_law_create_leaf(context, law->name, of(law), out_law);
 }
 
 static const trk_law_ops ops = {.kind = TRK_LAW_LEAF,
@@ -113,8 +93,7 @@ static const trk_law_ops ops = {.kind = TRK_LAW_LEAF,
                                 .stored = trk_leaf_stored,
                                 .lost = trk_leaf_lost,
                                 .steepest = steepest,
-                                .numbers = numbers,
-                                .remake = remake};
+                                .copy = copy};
 
 void trk_leaf_options_init(trk_leaf_options *options, size_t struct_size)
 {

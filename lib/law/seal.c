@@ -58,23 +58,9 @@ static void steepest(const trk_law *law, double *out_stiffness, double *out_damp
     *out_damping = of(law)->breakaway / of(law)->creep;
 }
 
-static int32_t numbers(const trk_law *law, trk_law_part part, double *out_first)
+static trk_status copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
-    const trk_seal_options *o = of(law);
-    if (part != TRK_LAW_PART_FRICTION)
-        return 0;
-    return trk_law_distinct((double[]){o->sliding, o->breakaway}, 2, out_first);
-}
-
-static trk_status remake(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law)
-{
-    trk_seal_options o = *of(law);
-    if (part == TRK_LAW_PART_FRICTION) {
-        o.sliding *= factor;
-        o.breakaway *= factor;
-    }
-    return trk_law_create_seal(context, law->name, &o, out_law);
+    return trk_law_create_seal(context, law->name, of(law), out_law);
 }
 
 static const trk_law_ops ops = {.kind = TRK_LAW_SEAL,
@@ -86,8 +72,7 @@ static const trk_law_ops ops = {.kind = TRK_LAW_SEAL,
                                 .stored = stored,
                                 .lost = lost,
                                 .steepest = steepest,
-                                .numbers = numbers,
-                                .remake = remake};
+                                .copy = copy};
 
 void trk_seal_options_init(trk_seal_options *options, size_t struct_size)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the force curve of a stop must be, its energy, and scaled copies. */
+/* What the force curve of a stop must be, and its energy. */
 #include "law/stop_curve.h"
 
 #include "curve/curve.h"
@@ -63,22 +63,4 @@ double trk_stop_curve_area(const trk_curve *curve, double x)
         from = to;
     }
     return sum;
-}
-
-trk_status trk_stop_curve_scale(trk_context *context, const trk_curve *curve, double factor,
-                                trk_curve **out_curve)
-{
-    *out_curve = NULL;
-    if (!curve)
-        return TRK_OK;
-    double *y = trk_new(context, curve->count, sizeof *y);
-    if (!y)
-        return TRK_E_MEMORY;
-    for (int32_t k = 0; k < curve->count; k++)
-        y[k] = curve->y[k] * factor;
-    trk_curve_options o = {sizeof o, curve->interpolation, curve->extrapolation};
-    trk_status status =
-        trk_curve_create(context, curve->name, curve->count, curve->x, y, &o, out_curve);
-    trk_free(context, y);
-    return status;
 }

@@ -12,8 +12,4 @@ trk_status trk_stop_curve_check(trk_context *context, const trk_law_ops *ops, co
 /* Integral of the curve from 0 to x > 0, piece by piece. */
 double trk_stop_curve_area(const trk_curve *curve, double x);
 
-/* A curve with its values multiplied; NULL stays NULL. */
-trk_status trk_stop_curve_scale(trk_context *context, const trk_curve *curve, double factor,
-                                trk_curve **out_curve);
-
 #endif

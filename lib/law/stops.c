@@ -89,36 +89,9 @@ static void steepest(const trk_law *law, double *out_stiffness, double *out_damp
     *out_damping = 0;
 }
 
-static int32_t numbers(const trk_law *law, trk_law_part part, double *out_first)
+static trk_status copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
-    const trk_stops_options *o = of(law);
-    if (part != TRK_LAW_PART_STIFFNESS)
-        return 0;
-    *out_first = 0;
-    int32_t count =
-        trk_law_distinct((double[]){o->bump_stiffness, o->rebound_stiffness}, 2, out_first);
-    return count + (o->bump_curve ? 2 : 0) + (o->rebound_curve ? 2 : 0);
-}
-
-static trk_status remake(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law)
-{
-    trk_stops_options o = *of(law);
-    if (part != TRK_LAW_PART_STIFFNESS)
-        return trk_law_create_stops(context, law->name, &o, out_law);
-    trk_curve *bump = NULL, *rebound = NULL;
-    trk_status status = trk_stop_curve_scale(context, o.bump_curve, factor, &bump);
-    if (status == TRK_OK)
-        status = trk_stop_curve_scale(context, o.rebound_curve, factor, &rebound);
-    o.bump_stiffness *= factor;
-    o.rebound_stiffness *= factor;
-    o.bump_curve = bump;
-    o.rebound_curve = rebound;
-    if (status == TRK_OK)
-        status = trk_law_create_stops(context, law->name, &o, out_law);
-    trk_curve_destroy(rebound);
-    trk_curve_destroy(bump);
-    return status;
+    return trk_law_create_stops(context, law->name, of(law), out_law);
 }
 
 static void release(trk_law *law)
@@ -136,8 +109,7 @@ static const trk_law_ops ops = {.kind = TRK_LAW_STOPS,
                                 .stored = stored,
                                 .lost = lost,
                                 .steepest = steepest,
-                                .numbers = numbers,
-                                .remake = remake,
+                                .copy = copy,
                                 .release = release};
 
 void trk_stops_options_init(trk_stops_options *options, size_t struct_size)

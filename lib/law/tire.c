@@ -80,31 +80,9 @@ static void steepest(const trk_law *law, double *out_stiffness, double *out_damp
     *out_damping = o->damping;
 }
 
-static int32_t numbers(const trk_law *law, trk_law_part part, double *out_first)
+static trk_status copy(trk_context *context, const trk_law *law, trk_law **out_law)
 {
-    const trk_tire_options *o = of(law);
-    if (part == TRK_LAW_PART_DAMPING)
-        return trk_law_distinct(&o->damping, 1, out_first);
-    if (part != TRK_LAW_PART_STIFFNESS)
-        return 0;
-    if (o->stiffness != 0 && o->stiffening != 0) { /* of different units, never one number */
-        *out_first = o->stiffness;
-        return 2;
-    }
-    return trk_law_distinct((double[]){o->stiffness, o->stiffening}, 2, out_first);
-}
-
-static trk_status remake(trk_context *context, const trk_law *law, trk_law_part part, double factor,
-                         trk_law **out_law)
-{
-    trk_tire_options o = *of(law);
-    if (part == TRK_LAW_PART_STIFFNESS) {
-        o.stiffness *= factor;
-        o.stiffening *= factor;
-    } else if (part == TRK_LAW_PART_DAMPING) {
-        o.damping *= factor;
-    }
-    return trk_law_create_tire(context, law->name, &o, out_law);
+    return trk_law_create_tire(context, law->name, of(law), out_law);
 }
 
 static const trk_law_ops ops = {.kind = TRK_LAW_TIRE,
@@ -116,8 +94,7 @@ static const trk_law_ops ops = {.kind = TRK_LAW_TIRE,
                                 .stored = stored,
                                 .lost = lost,
                                 .steepest = steepest,
-                                .numbers = numbers,
-                                .remake = remake};
+                                .copy = copy};
 
 void trk_tire_options_init(trk_tire_options *options, size_t struct_size)
 {

@@ -77,6 +77,11 @@ trk_status trk_law_trace(trk_context *context, const trk_law *law, int64_t count
                             law->ops->word, law->name, (long long)k + 1, e[k]);
         if (out_lost)
             out_lost[k] = t.work - (law->ops->stored(law, t.z, e[k]) - start);
+        if (out_lost && !isfinite(out_lost[k]))
+            return trk_fail(context, TRK_E_RANGE,
+                            "trk_law_trace: the energy of the %s '%s' overflows at point %lld, "
+                            "e = %g",
+                            law->ops->word, law->name, (long long)k + 1, e[k]);
     }
     return TRK_OK;
 }

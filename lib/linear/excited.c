@@ -99,6 +99,11 @@ static trk_status check(const task *t, const trk_model *model)
 static trk_status allocate(task *t)
 {
     int64_t inputs = t->inputs;
+    if (inputs > 0 && t->samples > INT64_MAX / (2 * inputs * inputs))
+        return trk_fail(t->context, TRK_E_MEMORY,
+                        "trk_response_psd_excited: %lld samples of %lld inputs exceed the address "
+                        "space",
+                        (long long)t->samples, (long long)inputs);
     t->rows = trk_new(t->context, t->samples * inputs, sizeof(double));
     t->sample = trk_new(t->context, t->samples * inputs, sizeof(double));
     t->first = trk_new(t->context, inputs, sizeof *t->first);

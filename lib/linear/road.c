@@ -33,6 +33,8 @@ static void fill(const trk_model *model, double wave_number, double density, dou
     int32_t roads = trk_model_count(model, TRK_PART_ROAD);
     int32_t inputs = roads + trk_model_count(model, TRK_PART_PORT);
     memset(out, 0, 2 * (size_t)inputs * (size_t)inputs * sizeof *out);
+    if (density == 0)
+        return; /* where the wave number may overflow */
     for (int32_t i = 0; i < roads; i++)
         for (int32_t j = 0; j < roads; j++) {
             bool one_side = (model->road_y[i] >= 0) == (model->road_y[j] >= 0);

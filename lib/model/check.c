@@ -192,9 +192,12 @@ trk_status trk_model_fail_singular(trk_context *context, const trk_model *model,
 {
     const char *at = trk_names_text(&model->names[TRK_PART_COORDINATE], coordinate + 1);
     const int32_t link = trk_model_blame(model, s, coordinate);
-    if (link < 0)
-        return trk_fail(context, TRK_E_SINGULAR,
-                        "the %s is not positive definite: nothing holds coordinate '%s'", what, at);
+    if (link < 0) /* what holds a line of very short beams may be less than their rounding */
+        return trk_fail(
+            context, TRK_E_SINGULAR,
+            "the %s is not positive definite: nothing holds coordinate '%s'%s", what, at,
+            model->links.count > trk_model_named_links(model) ? ", or beams are divided too finely"
+                                                              : "");
     const char *word, *name = trk_model_link_name(model, link, &word);
     return trk_fail(
         context, TRK_E_SINGULAR,

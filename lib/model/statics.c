@@ -59,15 +59,17 @@ static void use_largest_tangents(const trk_model *model, statics *s)
     }
 }
 
-/* What rounding of q leaves out of balance where stiff links see small elongations. */
+/* What rounding of q leaves out of balance where stiff links see small elongations (MODEL.7). */
 static double rounding(const trk_model *model, const statics *s)
 {
     double largest = 0;
     for (int32_t k = 0; k < model->links.count; k++) {
-        double e = 0;
-        for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++)
+        double e = 0, most = 0;
+        for (int64_t j = model->links.start[k]; j < model->links.start[k + 1]; j++) {
             e += fabs(model->links.value[j] * s->q[model->links.column[j]]);
-        largest = fmax(largest, fabs(s->tangent[k]) * e);
+            most = fmax(most, fabs(model->links.value[j]));
+        }
+        largest = fmax(largest, fabs(s->tangent[k]) * e * most);
     }
     return 64 * DBL_EPSILON * largest;
 }
@@ -169,7 +171,7 @@ static bool search(const trk_model *model, statics *s, double start, double *siz
 
 static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
 {
-    double scale, size = residual(model, s->q, s->residual, &scale);
+    double scale, size = residual(model, s->q, s->residual, &scale), last = INFINITY;
     for (int32_t iteration = 0; iteration < MAX_ITERATIONS; iteration++) {
         double before = size, before_scale = scale, start = 0;
         trk_status status = direction(model, assembly, s);
@@ -177,11 +179,11 @@ static trk_status iterate(trk_model *model, trk_assembly *assembly, statics *s)
             return status;
         for (int32_t i = 0; i < model->n; i++)
             start += s->step[i] * s->residual[i];
-        bool found = search(model, s, start, &size, &scale);
-        /* Go on until rounding stops the descent, then ask whether that is equilibrium. */
+        /* A residual of rounding still refines q, as long as the corrections get smaller. */
         bool settled = before <= fmax(SETTLED * before_scale, rounding(model, s));
-        if (!found || (!(size < before) && settled))
+        if ((settled && !(start < last / 2)) || !search(model, s, start, &size, &scale))
             return conclude(model, s, before, before_scale);
+        last = settled ? start : INFINITY;
         memcpy(s->q, s->trial, (size_t)model->n * sizeof *s->q);
         if (size <= 4 * DBL_EPSILON * scale)
             return TRK_OK;

@@ -150,7 +150,26 @@ static trk_status add_suspension(trk_reader *reader, const axle *a, int side, co
     return add_link(reader, group, name, &link, point);
 }
 
-/* An anti-roll bar: its stiffness, or a group. On a frame of beams it twists the node at the axle's x. */
+/* On a frame of beams a bar must hold in the middle: on one rail it would make left and right differ. */
+static trk_status check_bar_place(const trk_reader *reader, const axle *a, const trk_node *bar,
+                                  const trk_node *frame, int32_t node)
+{
+    trk_body_options body;
+    trk_body_options_init(&body, sizeof body);
+    if (!node || trk_spec_find(reader->spec, TRK_PART_BODY, frame->text))
+        return TRK_OK; /* the ground, or one body */
+    trk_status status = trk_spec_get_body(reader->spec, node, &body);
+    return status || body.cg[1] == 0
+               ? status
+               : trk_reader_fail(reader, bar->key_place, TRK_E_MODEL,
+                                 "'anti_roll_bar' of axle '%.80s' would twist one rail of '%.80s' "
+                                 "only; a cross member near x = %g with an even 'member_elements' "
+                                 "would hold it in the middle",
+                                 a->group->key, frame->text, a->x);
+}
+
+/* An anti-roll bar: its stiffness, or a group. On a frame of beams it twists the node nearest to the
+ * middle of the axle. */
 static trk_status add_bar(trk_reader *reader, const axle *a)
 {
     char name[TRK_NAME_ROOM];
@@ -178,6 +197,8 @@ static trk_status add_bar(trk_reader *reader, const axle *a)
     link.from_body = a->body;
     if (status == TRK_OK)
         status = trk_reader_place(reader, frame, a->subject, centre, &link.to_body);
+    if (status == TRK_OK)
+        status = check_bar_place(reader, a, bar, frame, link.to_body);
     if (status)
         return status;
     trk_format(name, sizeof name, "%s_anti_roll_bar", a->group->key);

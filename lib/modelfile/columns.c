@@ -122,7 +122,7 @@ static trk_status read_table(trk_reader *reader, const char *path, const trk_nod
     options.decimal_comma = comma;
     status = trk_table_begin(reader->context, path, &options, &table);
     if (status == TRK_OK)
-        status = trk_slurp(reader->context, path, &bytes, &size);
+        status = trk_slurp_small(reader->context, path, TRK_TREE_SIZE, &bytes, &size);
     if (status == TRK_OK)
         status = trk_table_parse(&table, bytes, size);
     status = trk_reader_pass(reader, trk_node_find(group, "csv")->place, status);

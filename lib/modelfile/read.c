@@ -192,7 +192,8 @@ trk_status trk_model_file_parse(trk_context *context, const char *text, size_t l
     TRK_REQUIRE(context, out_spec, "trk_model_file_parse");
     *out_spec = NULL;
     TRK_REQUIRE(context, context, "trk_model_file_parse");
-    TRK_REQUIRE(context, text || length == 0, "trk_model_file_parse");
+    if (!text && length > 0)
+        return trk_fail(context, TRK_E_ARGUMENT, "trk_model_file_parse: text is NULL");
     TRK_REQUIRE(context, source, "trk_model_file_parse");
     return parse(context, text ? text : "", length, source, folder, out_spec);
 }
@@ -215,7 +216,8 @@ trk_status trk_model_file_read(trk_context *context, const char *path, trk_spec 
     TRK_REQUIRE(context, path, "trk_model_file_read");
     char *text = NULL, *folder = folder_of(context, path);
     size_t length = 0;
-    trk_status status = folder ? trk_slurp(context, path, &text, &length) : TRK_E_MEMORY;
+    trk_status status =
+        folder ? trk_slurp_small(context, path, TRK_TREE_SIZE, &text, &length) : TRK_E_MEMORY;
     if (status == TRK_OK)
         status = parse(context, text, length, path, folder, out_spec);
     trk_free(context, text);

@@ -4,36 +4,58 @@
  *
  *     (I + T D) d = m,  m = law - g                                   (NEWMARK.7)
  *
- * With T = S^2, S diagonal, it is d = m - S u with a symmetric matrix whose eigenvalues are
- * at least 1, so that it needs no pivots, and D d comes with it (NEWMARK.22):
+ * With T = S J S, S >= 0 diagonal and J the signs of the slopes, it is found from a symmetric
+ * matrix, and D d with it (NEWMARK.22):
  *
- *     (I + S D S) u = S D m,   D d = S^-1 u
+ *     (J + S D S) u = S D m,   d = m - S u,   D d = S^-1 J u
  */
 #include "newmark/newmark.h"
 
-#include "linalg/small.h"
-
 #include <math.h>
-#include <string.h>
 
-/* y := D x */
-static void couple(const trk_newmark *stepper, const double *restrict x, double *restrict y)
+/* Pivot of a falling law, -1 where it falls little, nearest to zero that is divided by. */
+static const double LEAST_PIVOT = -1e-3;
+
+/* Row j of D x. */
+static double couple(const trk_newmark *stepper, int32_t j, const double *x)
 {
+    const double *row = stepper->coupling + (int64_t)j * stepper->p;
+    double sum = 0;
+    for (int32_t k = 0; k < stepper->p; k++)
+        sum += row[k] * x[k];
+    return sum;
+}
+
+static double sign_of(double slope)
+{
+    return slope < 0 ? -1 : 1;
+}
+
+/* Upper triangle of J + S D S. */
+static void fill(const trk_newmark *stepper)
+{
+    const double *root = stepper->root;
     int32_t p = stepper->p;
     for (int32_t j = 0; j < p; j++) {
-        const double *row = stepper->coupling + (int64_t)j * p;
-        double sum = 0;
-        for (int32_t k = 0; k < p; k++)
-            sum += row[k] * x[k];
-        y[j] = sum;
+        const double *restrict d = stepper->coupling + (int64_t)j * p;
+        double *restrict row = stepper->jacobian + (int64_t)j * p;
+        for (int32_t k = j; k < p; k++)
+            row[k] = root[j] * d[k] * root[k];
+        row[j] += sign_of(stepper->slope[j]);
     }
 }
 
-/* Upper triangle of A = U^T diag(d) U in place, U with a unit diagonal, 1 / d on the diagonal. */
-static void factorize(int32_t n, double *a)
+/*
+ * Upper triangle of A = U^T diag(d) U in place, U with a unit diagonal, 1 / d on the diagonal. The
+ * pivots of rising laws are at least 1 as long as those of falling ones are negative; false: one
+ * is not.
+ */
+static bool factorize(int32_t n, double *a)
 {
     for (int32_t k = 0; k < n; k++) {
         const double *restrict pivot = a + (int64_t)k * n;
+        if (!(pivot[k] > 0 || pivot[k] < LEAST_PIVOT))
+            return false;
         double reciprocal = 1 / pivot[k];
         for (int32_t i = k + 1; i < n; i++) {
             double *restrict row = a + (int64_t)i * n;
@@ -43,6 +65,7 @@ static void factorize(int32_t n, double *a)
         }
         a[(int64_t)k * n + k] = reciprocal;
     }
+    return true;
 }
 
 /* x := A^-1 x by those factors; the rows above the diagonal are still those of diag(d) U. */
@@ -63,48 +86,25 @@ static void substitute(int32_t n, const double *a, double *restrict x)
     }
 }
 
-/* All slopes >= 0: trial := d, pull := D d. */
-static void solve_rising(trk_newmark *stepper)
+/* trial := d, pull := D d. false: the laws fall too steeply. */
+static bool solve(trk_newmark *stepper)
 {
     int32_t p = stepper->p;
     double *u = stepper->trial, *pull = stepper->pull, *root = stepper->root;
-    couple(stepper, stepper->mismatch, u);
     for (int32_t j = 0; j < p; j++) {
-        root[j] = sqrt(stepper->slope[j]);
-        pull[j] = u[j];
-        u[j] *= root[j];
+        root[j] = sqrt(fabs(stepper->slope[j]));
+        u[j] = root[j] * couple(stepper, j, stepper->mismatch);
     }
-    for (int32_t j = 0; j < p; j++) {
-        const double *restrict d = stepper->coupling + (int64_t)j * p;
-        double *restrict row = stepper->jacobian + (int64_t)j * p;
-        for (int32_t k = j; k < p; k++)
-            row[k] = root[j] * d[k] * root[k];
-        row[j] += 1;
-    }
-    factorize(p, stepper->jacobian);
+    fill(stepper);
+    if (!factorize(p, stepper->jacobian))
+        return false;
     substitute(p, stepper->jacobian, u);
-    bool is_level = false;
     for (int32_t j = 0; j < p; j++) {
-        is_level |= root[j] == 0;
-        pull[j] = u[j] / root[j];
+        pull[j] = sign_of(stepper->slope[j]) * u[j];
         u[j] = stepper->mismatch[j] - root[j] * u[j];
     }
-    if (is_level) /* u says nothing there */
-        couple(stepper, stepper->trial, pull);
-}
-
-/* Some slope < 0. false: no correction. */
-static bool solve_any(trk_newmark *stepper)
-{
-    int32_t p = stepper->p;
-    for (int32_t j = 0; j < p; j++)
-        for (int32_t k = 0; k < p; k++)
-            stepper->jacobian[(int64_t)j * p + k] =
-                stepper->slope[j] * stepper->coupling[(int64_t)j * p + k] + (j == k);
-    memcpy(stepper->trial, stepper->mismatch, (size_t)p * sizeof *stepper->trial);
-    if (!trk_small_solve(p, stepper->jacobian, stepper->trial))
-        return false;
-    couple(stepper, stepper->trial, stepper->pull);
+    for (int32_t j = 0; j < p; j++) /* u says nothing of a level law */
+        pull[j] = root[j] > 0 ? pull[j] / root[j] : couple(stepper, j, stepper->trial);
     return true;
 }
 
@@ -121,10 +121,9 @@ double trk_newmark_find_direction(trk_newmark *stepper)
     bool is_rising = true;
     for (int32_t j = 0; j < stepper->p; j++)
         is_rising &= stepper->slope[j] >= 0;
-    if (!is_rising && solve_any(stepper) && start_of(stepper) >= 0)
+    if (solve(stepper) && (is_rising || start_of(stepper) >= 0))
         return start_of(stepper);
     for (int32_t j = 0; j < stepper->p; j++) /* a law that falls counts as level */
         stepper->slope[j] = stepper->slope[j] > 0 ? stepper->slope[j] : 0;
-    solve_rising(stepper);
-    return start_of(stepper);
+    return solve(stepper) ? start_of(stepper) : NAN;
 }

@@ -151,4 +151,17 @@ static inline double trk_newmark_rate(const trk_newmark *stepper, const trk_stat
            trk_rows_dot(&stepper->model->roads, link, state->velocity);
 }
 
+/* Force k e + c e' of the linear part of a link at a state. */
+static inline double trk_newmark_linear_force(const trk_newmark *stepper, const trk_state *state,
+                                              int32_t link)
+{
+    const trk_link_law *law = &stepper->model->laws[link];
+    double force = 0; /* a link may have a curve only */
+    if (law->stiffness != 0)
+        force += law->stiffness * trk_newmark_elongation(stepper, state, link);
+    if (law->damping != 0)
+        force += law->damping * trk_newmark_rate(stepper, state, link);
+    return force;
+}
+
 #endif

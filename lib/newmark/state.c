@@ -151,10 +151,8 @@ void trk_newmark_get_state(const trk_newmark *stepper, double *out_q, double *ou
 /* Whole force of a link. */
 static double link_force(const trk_newmark *stepper, int32_t link)
 {
-    const trk_link_law *law = &stepper->model->laws[link];
     int32_t j = stepper->nonlinear_index[link];
-    return law->stiffness * trk_newmark_elongation(stepper, &stepper->now, link) +
-           law->damping * trk_newmark_rate(stepper, &stepper->now, link) +
+    return trk_newmark_linear_force(stepper, &stepper->now, link) +
            (j >= 0 ? stepper->now.force[j] : 0);
 }
 

@@ -9,10 +9,9 @@ void trk_newmark_subtract_linear(const trk_newmark *stepper, const trk_state *st
 {
     const trk_model *model = stepper->model;
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_link_law *law = &model->laws[k];
-        double f = law->stiffness * trk_newmark_elongation(stepper, state, k) +
-                   law->damping * trk_newmark_rate(stepper, state, k);
-        trk_rows_add(&model->links, k, -f, r);
+        double f = trk_newmark_linear_force(stepper, state, k);
+        if (f != 0)
+            trk_rows_add(&model->links, k, -f, r);
     }
 }
 
@@ -21,12 +20,9 @@ double trk_newmark_largest_force(const trk_newmark *stepper, const trk_state *st
     const trk_model *model = stepper->model;
     double largest = 0;
     for (int32_t k = 0; k < model->links.count; k++) {
-        const trk_link_law *law = &model->laws[k];
         int32_t j = stepper->nonlinear_index[k];
-        double f = law->stiffness * trk_newmark_elongation(stepper, state, k) +
-                   law->damping * trk_newmark_rate(stepper, state, k) +
-                   (j >= 0 ? state->force[j] : 0);
-        f = fabs(f);
+        double f =
+            fabs(trk_newmark_linear_force(stepper, state, k) + (j >= 0 ? state->force[j] : 0));
         largest = f > largest ? f : largest;
     }
     return largest;

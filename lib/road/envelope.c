@@ -21,14 +21,14 @@ typedef struct profile {
 trk_status trk_envelope_check(trk_context *context, int64_t count, double spacing,
                               const double *height, const char *name, double size)
 {
-    const double most = 1e12; /* far from overflow */
+    const double least = 1e-12, most = 1e12; /* far from overflow */
     if (count < 1)
         return trk_fail(context, TRK_E_RANGE, "envelope: %lld heights, expected at least 1",
                         (long long)count);
-    if (!(spacing > 1 / most && spacing < most))
+    if (!(spacing >= least && spacing <= most))
         return trk_fail(context, TRK_E_RANGE, "envelope: spacing is %g m, expected 1e-12 to 1e12",
                         spacing);
-    if (!(size > 1 / most && size < most))
+    if (!(size >= least && size <= most))
         return trk_fail(context, TRK_E_RANGE, "envelope: %s is %g m, expected 1e-12 to 1e12", name,
                         size);
     for (int64_t k = 0; k < count; k++)
@@ -104,6 +104,15 @@ double trk_envelope_weight(double wavenumber, double length)
     return turns == 0 ? 1 : sine / (2 * pi * turns);
 }
 
+trk_status trk_envelope_check_arrays(trk_context *context, const double *height,
+                                     const double *out_height, const double *out_slope)
+{
+    return height == out_height || height == out_slope || out_height == out_slope
+               ? trk_fail(context, TRK_E_ARGUMENT,
+                          "envelope: height, out_height and out_slope must be different arrays")
+               : TRK_OK;
+}
+
 trk_status trk_envelope_average(trk_context *context, int64_t count, double spacing,
                                 const double *height, double length, double *out_height,
                                 double *out_slope)
@@ -111,7 +120,9 @@ trk_status trk_envelope_average(trk_context *context, int64_t count, double spac
     TRK_REQUIRE(context, context, "trk_envelope_average");
     TRK_REQUIRE(context, height, "trk_envelope_average");
     TRK_REQUIRE(context, out_height, "trk_envelope_average");
-    trk_status status = trk_envelope_check(context, count, spacing, height, "length", length);
+    trk_status status = trk_envelope_check_arrays(context, height, out_height, out_slope);
+    if (status == TRK_OK)
+        status = trk_envelope_check(context, count, spacing, height, "length", length);
     if (status != TRK_OK)
         return status;
     profile p = {count, height, trk_new(context, count, sizeof *p.area)};

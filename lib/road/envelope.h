@@ -10,5 +10,8 @@
  * are those of a profile. */
 trk_status trk_envelope_check(trk_context *context, int64_t count, double spacing,
                               const double *height, const char *name, double size);
+/* TRK_E_ARGUMENT if two of the arrays are the same; out_slope may be NULL. */
+trk_status trk_envelope_check_arrays(trk_context *context, const double *height,
+                                     const double *out_height, const double *out_slope);
 
 #endif

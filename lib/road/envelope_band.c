@@ -68,7 +68,9 @@ trk_status trk_envelope_rigid_band(trk_context *context, int64_t count, double s
     TRK_REQUIRE(context, context, "trk_envelope_rigid_band");
     TRK_REQUIRE(context, height, "trk_envelope_rigid_band");
     TRK_REQUIRE(context, out_height, "trk_envelope_rigid_band");
-    trk_status status = trk_envelope_check(context, count, spacing, height, "radius", radius);
+    trk_status status = trk_envelope_check_arrays(context, height, out_height, out_slope);
+    if (status == TRK_OK)
+        status = trk_envelope_check(context, count, spacing, height, "radius", radius);
     if (status != TRK_OK)
         return status;
     const band b = {count, spacing, radius, height, out_height, out_slope};

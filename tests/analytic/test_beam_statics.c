@@ -155,6 +155,39 @@ static void own_weight(void **state)
     }
 }
 
+/* Elements down to 0.7 mm: their stiffness is 1e12 times that of the line, and rounding with it. */
+static void own_weight_of_fine_elements(void **state)
+{
+    const double g = TRK_STANDARD_GRAVITY;
+    for (int32_t elements = 30; elements <= 3000; elements *= 10) {
+        support_line line = cantilever(elements, false);
+        line.inner = line.last = TRK_FREE_Z | TRK_FREE_PITCH;
+        trk_model *model = support_line_model(*state, support_line_spec(*state, &line), g, 0);
+        int32_t n = trk_model_count(model, TRK_PART_COORDINATE);
+        double *q = test_malloc((size_t)n * sizeof *q), load = line.section.mass_per_length * g;
+        trk_model_get_static(model, q, NULL);
+        double tip = -load * pow(line.length, 4) / (8 * line.section.bending_y);
+        assert_near(q[n - 2] / tip, 1, 1e-11);
+        test_free(q);
+        trk_model_destroy(model);
+    }
+}
+
+/* Where rounding is larger than what holds the line, there is no answer, not a wrong one. */
+static void elements_too_fine_are_refused(void **state)
+{
+    support_line line = cantilever(30000, false);
+    trk_model_options options;
+    trk_model *model;
+    trk_model_options_init(&options, sizeof options);
+    options.gravity = TRK_STANDARD_GRAVITY;
+    line.inner = line.last = TRK_FREE_Z | TRK_FREE_PITCH;
+    trk_spec *spec = support_line_spec(*state, &line);
+    assert_status(*state, trk_model_compile(*state, spec, &options, &model), TRK_E_SINGULAR);
+    assert_message(*state, "divided too finely");
+    trk_spec_destroy(spec);
+}
+
 /* A sloping beam weighs m L, which a vertical spring under each end carries by halves. */
 static void weight_on_springs(void **state)
 {
@@ -206,6 +239,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(any_direction, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(end_offsets, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(own_weight, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(own_weight_of_fine_elements, support_setup,
+                                        support_teardown),
+        cmocka_unit_test_setup_teardown(elements_too_fine_are_refused, support_setup,
+                                        support_teardown),
         cmocka_unit_test_setup_teardown(weight_on_springs, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(reciprocity, support_setup, support_teardown),
     };

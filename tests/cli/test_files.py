@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Model files: exported, piped, calibrated, and wrong in many ways."""
 import json
+import os
 import pathlib
 import re
 
@@ -152,3 +153,19 @@ def test_a_large_frame_has_its_lowest_modes_at_once():
     coarse = [row["frequency"] for row in parsed("modes", write("small.json", ladder(0.1)), "--undamped", "-n", "6")["modes"]]
     fine = [row["frequency"] for row in parsed("modes", "large.json", "--undamped", "-n", "6", timeout=20)["modes"]]
     assert fine == pytest.approx(coarse, rel=1e-3)
+
+
+def test_a_file_does_not_command_the_terminal():
+    model = exported()
+    model["bodies"]["\x1b[31mseat\n"] = {"mass": 1}
+    model["links"]["k"] = {"from": "ground", "to": "\x1b[31mseat\n", "stiffness": 1}
+    text = call("check", write("escape.json", model), "--modes", "3").stdout
+    assert "?[31mseat?" in text and "\x1b" not in text
+    model["links"]["k"]["\x1b[2J"] = 1
+    text = call("check", write("escape.json", model), expected=1).stderr
+    assert "unknown key '?[2J'" in text and "\x1b" not in text
+
+
+def test_a_pipe_is_no_model_file():
+    os.mkfifo("pipe.json")
+    assert "no regular file" in call("check", "pipe.json", expected=1).stderr

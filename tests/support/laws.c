@@ -167,3 +167,25 @@ trk_spec *support_truck_on_leaves(trk_context *context)
     trk_law_destroy(law);
     return spec;
 }
+
+trk_spec *support_truck_with_tail(trk_context *context)
+{
+    trk_spec *spec = support_truck_on_leaves(context);
+    trk_body_options tail;
+    trk_beam_options beam;
+    trk_body_options_init(&tail, sizeof tail);
+    trk_beam_options_init(&beam, sizeof beam);
+    tail.freedoms = TRK_FREE_Z | TRK_FREE_PITCH;
+    tail.cg[0] = -6;
+    tail.mass = 300;
+    tail.inertia[1] = 50;
+    beam.from_body = trk_spec_find(spec, TRK_PART_BODY, "frame");
+    beam.from_point[0] = -5;
+    beam.to_point[0] = -6;
+    beam.bending_y = 2e5;
+    beam.mass_per_length = 60;
+    beam.stiffness_damping = 1e-4;
+    assert_ok(context, trk_spec_add_body(spec, "tail", &tail, &beam.to_body));
+    assert_ok(context, trk_spec_add_beam(spec, "tail", &beam, NULL));
+    return spec;
+}

@@ -21,4 +21,7 @@ trk_spec *support_every_law(trk_context *context);
 /* The reference truck, its four axle springs with the friction of leaves. */
 trk_spec *support_truck_on_leaves(trk_context *context);
 
+/* The same with a body "tail" on a beam "tail" behind its frame: something for every trk_field. */
+trk_spec *support_truck_with_tail(trk_context *context);
+
 #endif

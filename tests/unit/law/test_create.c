@@ -280,16 +280,13 @@ static trk_status everything(trk_context *context)
 {
     const double x[] = {0, 1}, y[] = {0, 1e5};
     trk_curve *curve = NULL;
-    trk_law *copy = NULL, *scaled = NULL;
+    trk_law *copy = NULL;
     zoo z = {{NULL}};
     trk_status status = trk_curve_create(context, "rubber", 2, x, y, NULL, &curve);
     if (!status)
         status = fill(context, curve, &z);
     if (!status)
         status = trk_law_copy(context, z.law[1], &copy);
-    if (!status)
-        status = trk_law_scaled(context, z.law[1], TRK_LAW_PART_STIFFNESS, 2, &scaled);
-    trk_law_destroy(scaled);
     trk_law_destroy(copy);
     empty(&z);
     trk_curve_destroy(curve);
@@ -300,85 +297,6 @@ static void memory_may_end_anywhere(void **state)
 {
     (void)state;
     support_exhaust_memory(everything);
-}
-
-/* Force of a copy with a part multiplied, slid far out in one direction at speed. */
-static double scaled_force(trk_context *context, const trk_law *law, trk_law_part part,
-                           double factor, double e, double v)
-{
-    trk_law *scaled;
-    trk_law_point point;
-    double z[TRK_LAW_STATES], next[TRK_LAW_STATES];
-    assert_ok(context, trk_law_scaled(context, law, part, factor, &scaled));
-    scaled->ops->relax(scaled, 0, z);
-    scaled->ops->evaluate(scaled, z, e, v, 0.001, &point, next);
-    trk_law_destroy(scaled);
-    return point.force;
-}
-
-static void parts_are_scaled(void **state)
-{
-    trk_curve *curve = rubber(*state, 0, 0, 2000);
-    zoo z;
-    assert_ok(*state, fill(*state, curve, &z));
-    trk_curve_destroy(curve);
-    const trk_law_part k = TRK_LAW_PART_STIFFNESS, c = TRK_LAW_PART_DAMPING,
-                       r = TRK_LAW_PART_FRICTION, b = TRK_LAW_PART_APPROACH;
-    assert_near(scaled_force(*state, z.law[0], k, 3, 0, 0), -3e4, 1e-8); /* the preload stays */
-    assert_near(scaled_force(*state, z.law[0], c, 3, 0, -0.1), -3e4 - 150, 1e-8);
-    assert_near(scaled_force(*state, z.law[1], k, 3, -0.05, 0), -3 * (1e3 + 1e3), 1e-8);
-    assert_near(scaled_force(*state, z.law[2], r, 3, 0.1, 0), 3 * (1500 + 10), 1e-8);
-    assert_near(scaled_force(*state, z.law[2], b, 3, 0.1, 0), 1500 + 30, 1e-8);
-    assert_near(scaled_force(*state, z.law[3], r, 3, -1, 0), -2400, 1e-8);
-    assert_near(scaled_force(*state, z.law[5], r, 3, 0, 9), 120, 1e-8);
-    const int32_t none[][2] = {{0, 3}, {0, 4}, {1, 2}, {1, 3}, {2, 1}, {2, 2},
-                               {3, 1}, {3, 4}, {4, 1}, {4, 3}, {5, 1}, {5, 4}};
-    for (size_t n = 0; n < sizeof none / sizeof *none; n++) {
-        trk_law *law;
-        double value;
-        assert_status(*state, trk_law_scaled(*state, z.law[none[n][0]], none[n][1], 2, &law),
-                      TRK_E_MODEL);
-        assert_null(law);
-        assert_false(trk_law_number(z.law[none[n][0]], none[n][1], &value));
-    }
-    trk_law *law;
-    assert_status(*state, trk_law_scaled(*state, z.law[3], r, 0, &law), TRK_E_RANGE);
-    assert_status(*state, trk_law_scaled(*state, z.law[1], k, -1, &law), TRK_E_RANGE);
-    assert_null(law);
-    empty(&z);
-}
-
-static void single_numbers_are_told(void **state)
-{
-    trk_curve *curve = rubber(*state, 0, 0, 2000);
-    zoo z;
-    double value = 0;
-    assert_ok(*state, fill(*state, curve, &z));
-    assert_false(trk_law_number(z.law[0], TRK_LAW_PART_STIFFNESS, &value));
-    assert_true(trk_law_number(z.law[0], TRK_LAW_PART_DAMPING, &value));
-    assert_near(value, 500, 0);
-    assert_false(trk_law_number(z.law[1], TRK_LAW_PART_STIFFNESS, &value));
-    assert_false(trk_law_number(z.law[2], TRK_LAW_PART_FRICTION, &value));
-    assert_false(trk_law_number(z.law[2], TRK_LAW_PART_APPROACH, &value));
-    assert_true(trk_law_number(z.law[3], TRK_LAW_PART_FRICTION, &value));
-    assert_near(value, 800, 0);
-    assert_false(trk_law_number(z.law[5], TRK_LAW_PART_FRICTION, &value));
-    empty(&z);
-    trk_stops_options stops;
-    trk_law *law;
-    trk_stops_options_init(&stops, sizeof stops);
-    stops.rebound_stiffness = 7;
-    assert_ok(*state, trk_law_create_stops(*state, "one side", &stops, &law));
-    assert_true(trk_law_number(law, TRK_LAW_PART_STIFFNESS, &value));
-    assert_near(value, 7, 0);
-    trk_law_destroy(law);
-    stops.bump_curve = curve;
-    stops.rebound_stiffness = 0;
-    assert_ok(*state, trk_law_create_stops(*state, "a curve", &stops, &law));
-    assert_false(trk_law_number(law, TRK_LAW_PART_STIFFNESS, &value));
-    assert_near(scaled_force(*state, law, TRK_LAW_PART_STIFFNESS, 2, -0.01, 0), -2000, 1e-9);
-    trk_law_destroy(law);
-    trk_curve_destroy(curve);
 }
 
 static void trace_refuses(void **state)
@@ -416,8 +334,6 @@ int main(void)
         TEST(defaults_fill_in),
         TEST(null_pointers_are_refused),
         cmocka_unit_test(memory_may_end_anywhere),
-        TEST(parts_are_scaled),
-        TEST(single_numbers_are_told),
         TEST(trace_refuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -151,6 +151,10 @@ static const malformed part[] = {
      TRK_E_SYNTAX, "has 'springs', but no 'frame'"},
     {"\"axles\": {@\"f\": {\"x\": 0, \"mass\": 1, \"anti_roll_bar\": 1}}", TRK_E_SYNTAX,
      "has 'anti_roll_bar', but no 'frame'"},
+    {"\"frames\": {\"k\": {\"stations\": [0, 2], \"cross_members\": [0], \"half_width\": 0.4,"
+     " \"rail\": {\"axial\": 1}, \"member\": {\"axial\": 1}}},"
+     "\"axles\": {\"f\": {\"x\": 0, \"mass\": 1, \"frame\": \"k\", @\"anti_roll_bar\": 1}}",
+     TRK_E_MODEL, "would twist one rail of 'k' only"},
     {"\"axles\": {@\"f\": {\"mass\": 1}}", TRK_E_SYNTAX, "axle 'f' has no 'x'"},
     {"\"axles\": {@\"f\": {\"x\": 1}}", TRK_E_SYNTAX, "axle 'f' has no 'mass'"},
     {"\"axles\": {\"f\": {\"x\": @\"0\", \"mass\": 1}}", TRK_E_SYNTAX, "expected a number"},

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Needs JSON. More than 200 malformed files: status, line and column of each, and words of the message. */
+#define _POSIX_C_SOURCE 200809L
 #include "malformed.h"
 #include "support.h"
 
+#include <sys/stat.h>
 #include <truckride/modelfile.h>
+#include <unistd.h>
 
 enum { ROOM = 4096 };
 
@@ -113,6 +116,36 @@ static void bombs(void **state)
     }
 }
 
+/* What is no file must not be waited for, and what is too large not read. */
+static void no_files(void **state)
+{
+    const char *const pipe_path = "malformed_pipe", *const large_path = "malformed_large";
+    static const char *const texts[] = {
+        "{\"truckride_model\": 1, \"name\": \"x\", \"curves\": {\"c\": {\"csv\": "
+        "\"malformed_pipe\"}}}",
+        "{\"truckride_model\": 1, \"name\": \"x\", \"curves\": {\"c\": {\"csv\": "
+        "\"malformed_large\"}}}",
+        "{\"truckride_model\": 1, \"name\": \"x\", \"curves\": {\"c\": {\"csv\": \".\"}}}",
+    };
+    trk_spec *spec;
+    remove(pipe_path);
+    assert_int_equal(mkfifo(pipe_path, 0600), 0);
+    FILE *large = fopen(large_path, "wb");
+    assert_non_null(large);
+    assert_int_equal(ftruncate(fileno(large), (1 << 26) + 1), 0); /* no bytes on the disk */
+    fclose(large);
+    assert_status(*state, trk_model_file_read(*state, pipe_path, &spec), TRK_E_FILE);
+    assert_message(*state, "no regular file");
+    assert_status(*state, trk_model_file_read(*state, large_path, &spec), TRK_E_FILE);
+    assert_message(*state, "expected at most 67108864");
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++, cases++)
+        assert_status(*state,
+                      trk_model_file_parse(*state, texts[k], strlen(texts[k]), "x", ".", &spec),
+                      TRK_E_FILE);
+    remove(pipe_path);
+    remove(large_path);
+}
+
 static void enough(void **state)
 {
     (void)state;
@@ -127,6 +160,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(sections, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(zero_bytes, support_setup, support_teardown),
         cmocka_unit_test_setup_teardown(bombs, support_setup, support_teardown),
+        cmocka_unit_test_setup_teardown(no_files, support_setup, support_teardown),
         cmocka_unit_test(enough),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -292,6 +292,10 @@ static void test_errors(void **state)
 {
     double z[] = {0, 1, 2}, out[3];
     static const double bad[] = {0, -1, 1e13, NAN, INFINITY};
+    assert_status(*state, trk_envelope_average(*state, 3, 1, z, 1, z, NULL), TRK_E_ARGUMENT);
+    assert_status(*state, trk_envelope_average(*state, 3, 1, z, 1, out, out), TRK_E_ARGUMENT);
+    assert_status(*state, trk_envelope_rigid_band(*state, 3, 1, z, 1, z, NULL), TRK_E_ARGUMENT);
+    assert_status(*state, trk_envelope_rigid_band(*state, 3, 1, z, 1, out, z), TRK_E_ARGUMENT);
     for (int k = 0; k < 5; k++) {
         assert_status(*state, trk_envelope_average(*state, 3, bad[k], z, 1, out, NULL),
                       TRK_E_RANGE);
