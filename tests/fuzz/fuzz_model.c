@@ -39,6 +39,10 @@ const fuzz_seed fuzz_seeds[] = {
               "\"masses\": {\"m\": {\"frame\": \"f\", \"mass\": 1, \"point\": [0, 0, 0]}}, "
               "\"mounts\": {\"m\": {\"from\": \"f\", \"to\": \"ground\", \"vertical\": "
               "{\"stiffness\": 1}, \"lateral\": {\"damping\": 2}}}}"),
+    /* what a scan that does not know escapes takes for brackets and ends of texts */
+    SEED(HEAD
+         "\"notes\": [\"\\\"\", \"\\\\\", \"{[\\\",\"], \"bodies\": {\"a\\\"\\u00e4\": {\"mass\": "
+         "1}, \"\\\\\": {\"mass\": 2, \"cg\": [1, 2, 3]}}}"),
     {NULL, 0},
 };
 

@@ -15,7 +15,7 @@ static trk_calibration *create(trk_context *context, int count, const parameter 
     assert_ok(context, trk_calibration_create(context, spec, NULL, &c));
     trk_spec_destroy(spec);
     for (int k = 0; k < count; k++) {
-        char name[16];
+        char name[32];
         int32_t id;
         snprintf(name, sizeof name, "parameter %d", k);
         assert_ok(context, trk_calibration_add_parameter(c, name, NULL, &id));

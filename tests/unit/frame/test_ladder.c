@@ -153,7 +153,8 @@ static void nearest(void **state)
     assert_int_equal(id, 0);
     assert_status(*state, trk_spec_nearest_body(spec, NULL, origin, &id), TRK_E_ARGUMENT);
     assert_status(*state, trk_spec_nearest_body(spec, "*", NULL, &id), TRK_E_ARGUMENT);
-    assert_status(*state, trk_spec_nearest_body(spec, "*", (double[]){0, NAN, 0}, &id), TRK_E_RANGE);
+    assert_status(*state, trk_spec_nearest_body(spec, "*", (double[]){0, NAN, 0}, &id),
+                  TRK_E_RANGE);
     assert_status(*state, trk_spec_nearest_body(spec, "*", origin, NULL), TRK_E_ARGUMENT);
     assert_int_equal(trk_spec_nearest_body(NULL, "*", origin, &id), TRK_E_ARGUMENT);
     trk_spec_destroy(spec);

@@ -18,7 +18,7 @@ static trk_status try_chains(trk_context *context, int copies, int length, bool 
     body.mass = 10;
     link.stiffness = 1e5;
     for (int k = 0; status == TRK_OK && k < copies * length; k++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "m%d", k);
         link.from_body = k % length == 0 ? 0 : link.to_body;
         status = trk_spec_add_body(spec, name, &body, &link.to_body);
@@ -91,7 +91,7 @@ static void fine_mesh_of_beams(void **state)
     beam.mass_per_length = mass;
     assert_ok(context, trk_spec_create(context, "cantilever", &spec));
     for (int k = 1; k <= ELEMENTS; k++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "n%d", k);
         beam.from_body = beam.to_body;
         beam.from_point[0] = node.cg[0];
@@ -200,7 +200,7 @@ static void unstable_working_point(void **state)
     trk_link_options_init(&link, sizeof link);
     body.mass = 10;
     for (int k = 0; k < LENGTH; k++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "m%d", k);
         link.from_body = link.to_body;
         link.stiffness = 1e5;

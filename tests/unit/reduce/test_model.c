@@ -113,7 +113,7 @@ static void modal_damping(void **state)
     trk_model_get_mass(reduced, m);
     trk_model_get_tangent(reduced, NULL, NULL, c, k);
     for (int mode = 1; mode <= 6; mode++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "modes.%d", mode);
         int32_t i = trk_model_find(reduced, TRK_PART_COORDINATE, name) - 1;
         assert_true(i >= 0);
@@ -262,7 +262,7 @@ static void a_free_interior(void **state)
     body.mass = 4;
     assert_ok(context, trk_spec_create(context, "loose", &spec));
     for (int k = 0; k < 4; k++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "part.%d", k);
         link.from_body = link.to_body;
         link.stiffness = k == 3 ? 0 : 1e4;

@@ -13,7 +13,7 @@ static double cut_off(const trk_model *model, int modes)
     double *matrix = malloc(2 * (size_t)(n * n) * sizeof *matrix);
     trk_model_get_mass(model, matrix);
     trk_model_get_tangent(model, NULL, NULL, NULL, matrix + n * n);
-    char name[16];
+    char name[32];
     snprintf(name, sizeof name, "modes.%d", modes);
     int32_t place = (trk_model_find(model, TRK_PART_COORDINATE, name) - 1) * (n + 1);
     double square = matrix[n * n + place] / matrix[place];
