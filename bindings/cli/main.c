@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* truckride: the subcommands. */
+#define _GNU_SOURCE /* RTLD_DEFAULT */
 #include "common/text.h"
 #include "help.h"
 
+#include <dlfcn.h>
+#include <stdlib.h>
 #include <string.h>
 
 extern const command check_command, modes_command, simulate_command, psd_command, frf_command,
@@ -80,8 +83,18 @@ static int run(int argc, char **argv)
     return c->run(&s, argc - 1, argv + 1);
 }
 
+/* OpenBLAS lets a thread on each core spin for matrices that one core is done with sooner. */
+static void use_one_blas_thread(void)
+{
+    void (*set_threads)(int);
+    *(void **)&set_threads = dlsym(RTLD_DEFAULT, "openblas_set_num_threads");
+    if (set_threads && !getenv("OPENBLAS_NUM_THREADS") && !getenv("OMP_NUM_THREADS"))
+        set_threads(1);
+}
+
 int main(int argc, char **argv)
 {
+    use_one_blas_thread();
     const int code = run(argc - 1, argv + 1);
     if (fflush(stdout) == 0 && !ferror(stdout))
         return code;

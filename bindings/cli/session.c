@@ -45,8 +45,11 @@ bool may_colour(FILE *stream)
 static void hear(void *user, const char *message)
 {
     const session *s = user;
-    if (!s->shared->quiet)
-        fprintf(stderr, "%s: note: %s\n", s->program, message);
+    if (!s->shared->quiet) {
+        fprintf(stderr, "%s: note: ", s->program);
+        text_print(stderr, message);
+        fputc('\n', stderr);
+    }
 }
 
 bool session_begin(session *s, void *settings, int argc, char **argv, int *out_code)
@@ -89,8 +92,10 @@ bool session_operands(session *s, int least, int most, const char *what, int *ou
 static void print_message(const session *s, const char *end, const char *format, va_list values)
 {
     const char *red = s->colour ? "\033[31m" : "", *plain = s->colour ? "\033[0m" : "";
+    char message[2048];
+    vsnprintf(message, sizeof message, format, values);
     fprintf(stderr, "%s%s:%s ", red, s->program, plain);
-    vfprintf(stderr, format, values);
+    text_print(stderr, message);
     fputs(end, stderr);
 }
 
@@ -136,10 +141,12 @@ int session_fail(session *s, trk_status status)
         return EXIT_INTERRUPTED;
     }
     const char *message = s->context ? trk_context_message(s->context) : "";
-    if (has_place(message))
-        fprintf(stderr, "%s\n", message);
-    else
+    if (has_place(message)) {
+        text_print(stderr, message);
+        fputc('\n', stderr);
+    } else {
         session_error(s, "%s", *message ? message : trk_status_text(status));
+    }
     return EXIT_FAILED;
 }
 

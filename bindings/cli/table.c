@@ -100,7 +100,8 @@ static void put_cell(FILE *file, const char *text, int width, bool left, int *ow
 {
     const int gap = width - width_of(text);
     if (*text)
-        fprintf(file, "%*s%s", *owed + (left ? 0 : gap), "", text);
+        fprintf(file, "%*s", *owed + (left ? 0 : gap), "");
+    text_print(file, text);
     *owed = 2 + (!*text ? *owed + width : left ? gap : 0);
 }
 

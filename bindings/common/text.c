@@ -148,6 +148,12 @@ void *need(size_t count, size_t size)
     return block;
 }
 
+void text_print(FILE *file, const char *text)
+{
+    for (; *text; text++)
+        fputc((unsigned char)*text < ' ' || *text == 127 ? '?' : *text, file);
+}
+
 char *text_copy(const char *text)
 {
     char *copy = need(strlen(text) + 1, 1);

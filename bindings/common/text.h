@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 /* What is wrong with a word; "" if nothing is. */
 typedef struct complaint {
@@ -40,6 +41,9 @@ bool text_match_any(const char *patterns, const char *name);
 
 /* ".csv" of "runs.d/truck.csv"; "" if there is none. */
 const char *text_suffix(const char *path);
+
+/* Print a text from a file of others: its control characters, which a terminal would obey, as '?'. */
+void text_print(FILE *file, const char *text);
 
 /* Copy; ends the program if there is no memory. */
 char *text_copy(const char *text);

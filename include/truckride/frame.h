@@ -110,6 +110,7 @@ TRK_API trk_status trk_spec_add_frame(trk_spec *spec, const char *name,
  *
  * @param point [m] length 3
  * @retval TRK_E_ARGUMENT a pointer is NULL
+ * @retval TRK_E_RANGE    the point is not finite
  * @retval TRK_E_NAME     nothing matches the pattern
  */
 TRK_API trk_status trk_spec_nearest_body(const trk_spec *spec, const char *pattern, const double *point,

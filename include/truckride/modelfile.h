@@ -44,7 +44,7 @@ TRK_API trk_status trk_model_file_parse(trk_context *context, const char *text, 
                                         trk_spec **out_spec) TRK_MUST_CHECK;
 
 /**
- * Write a spec as JSON text.
+ * Write a spec as JSON text. Says what is wrong by its status alone, without a message.
  *
  * @param capacity   [byte] room in out_text, with the closing zero
  * @param out_text   receives at most capacity bytes, always closed by a zero if capacity > 0; NULL

@@ -129,7 +129,7 @@ TRK_API trk_status trk_road_coherence(trk_context *context, const trk_road_optio
  * @param length     [m] of the patch, half ahead and half behind; > 0
  * @param out_height [m] length count; not `height`
  * @param out_slope  [-] exact derivative at the samples, length count; NULL to skip
- * @retval TRK_E_ARGUMENT a pointer is NULL
+ * @retval TRK_E_ARGUMENT a pointer is NULL, or two of the arrays are the same
  * @retval TRK_E_RANGE    a value is out of range; the message names it
  * @retval TRK_E_MEMORY   no memory
  */

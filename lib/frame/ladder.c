@@ -157,10 +157,12 @@ static trk_status add_all(ladder *l)
 
 static trk_status check_pointers(trk_context *context, const trk_frame_options *o)
 {
-    TRK_REQUIRE(context, o->station, "trk_frame_options");
-    TRK_REQUIRE(context, o->cross, "trk_frame_options");
-    TRK_REQUIRE(context, o->rail, "trk_frame_options");
-    TRK_REQUIRE(context, o->member, "trk_frame_options");
+    const double *station = o->station, *cross = o->cross;
+    const trk_beam_options *rail = o->rail, *member = o->member;
+    TRK_REQUIRE(context, station, "trk_frame_options");
+    TRK_REQUIRE(context, cross, "trk_frame_options");
+    TRK_REQUIRE(context, rail, "trk_frame_options");
+    TRK_REQUIRE(context, member, "trk_frame_options");
     return TRK_OK;
 }
 

@@ -67,6 +67,7 @@ trk_status trk_law_copy(trk_context *context, const trk_law *law, trk_law **out_
 {
     TRK_REQUIRE(context, out_law, "trk_law_copy");
     *out_law = NULL;
+    TRK_REQUIRE(context, context, "trk_law_copy");
     TRK_REQUIRE(context, law, "trk_law_copy");
     return law->ops->copy(context, law, out_law);
 }

@@ -56,6 +56,7 @@ static trk_status check(trk_context *context, const trk_law *law, int64_t count,
 trk_status trk_law_trace(trk_context *context, const trk_law *law, int64_t count, double step,
                          const double *e, double *out_force, double *out_lost)
 {
+    TRK_REQUIRE(context, context, "trk_law_trace");
     TRK_REQUIRE(context, law, "trk_law_trace");
     TRK_REQUIRE(context, e, "trk_law_trace");
     TRK_REQUIRE(context, out_force, "trk_law_trace");

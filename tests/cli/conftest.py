@@ -17,6 +17,7 @@ TRUCK = "builtin:reference_truck"
 HALF = "builtin:reference_half:linear"
 QUARTER = "builtin:thesis_quarter"
 sys.dont_write_bytecode = True
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command does: the same bits
 
 
 def environment(**more):
