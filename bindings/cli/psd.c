@@ -17,6 +17,10 @@ static const argument own[] = {
      "without a run, from the model linearised at rest: the spectrum that a run of\n"
      "this duration would give",
      0},
+    {"linearise", 0, ARGUMENT_SWITCH, AT(linearise), NULL,
+     "as --linear, but dampers, friction and other laws linearised for the motion on\n"
+     "this road, not at rest",
+     0},
     {"segment", 0, ARGUMENT_WHOLE, AT(segment), "N",
      "samples of a segment; default 4096, or all if there are fewer", 0},
     {"overlap", 0, ARGUMENT_NUMBER, AT(overlap), "X", "part that segments share; default 0.5", 0},

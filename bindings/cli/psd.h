@@ -7,7 +7,7 @@
 
 typedef struct psd_settings {
     run_options run;
-    bool linear, rms;
+    bool linear, linearise, rms;
     int64_t segment;
     double overlap, from, to;
     int32_t window, weighting;
@@ -32,5 +32,9 @@ typedef struct psd_spectra {
 int psd_of_recording(session *s, const psd_settings *o, psd_spectra *out);
 int psd_of_run(session *s, psd_settings *o, psd_spectra *out);
 void psd_close(psd_spectra *p);
+
+/* Replace the model by the one linearised for the motion on its road (trk_model_linearise). */
+trk_status psd_linearise(session *s, const trk_spectrum_options *options, int64_t samples,
+                         double step, psd_spectra *p);
 
 #endif

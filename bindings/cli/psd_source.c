@@ -79,7 +79,7 @@ int psd_of_recording(session *s, const psd_settings *o, psd_spectra *p)
     return code == EXIT_DONE ? of_series(s, o, p) : code;
 }
 
-/* As the run would give it, but from the transfer functions of the tangent at rest. */
+/* As the run would give it, but from the transfer functions of a linear model. */
 static int of_model(session *s, const psd_settings *o, psd_spectra *p)
 {
     const trk_spectrum_options options = estimate(o);
@@ -91,9 +91,12 @@ static int of_model(session *s, const psd_settings *o, psd_spectra *p)
     const int64_t samples = 1 + (int64_t)(steps + 1e-9);
     int used = 0;
     make_room(p, &options, samples, 1 / step, sensors);
-    const trk_status status =
-        trk_response_psd_excited(s->context, p->model, NULL, NULL, p->road.excitation, 0, step,
-                                 samples, &options, p->density, NULL);
+    trk_status status = TRK_OK;
+    if (o->linearise)
+        status = psd_linearise(s, &options, samples, step, p);
+    if (status == TRK_OK)
+        status = trk_response_psd_excited(s->context, p->model, NULL, NULL, p->road.excitation, 0,
+                                          step, samples, &options, p->density, NULL);
     if (status != TRK_OK)
         return session_fail(s, status);
     for (int32_t k = 1; k <= sensors; k++) {
@@ -116,7 +119,7 @@ int psd_of_run(session *s, psd_settings *o, psd_spectra *p)
     int code = session_model(s, s->operands.word[0], NULL, &p->model);
     if (code == EXIT_DONE)
         code = run_road(s, &o->run, p->model, &p->road);
-    if (code == EXIT_DONE && o->linear)
+    if (code == EXIT_DONE && (o->linear || o->linearise))
         return of_model(s, o, p);
     if (code == EXIT_DONE)
         code = run_series(s, &o->run, p->model, &p->road, &p->series);

@@ -171,6 +171,20 @@ def test_rms_and_weighting(tr):
             assert name not in weighted
 
 
+def test_psd_linearised_on_the_road():
+    """Curves of the thesis's dampers: linearised on the road they come nearer to the run than at rest."""
+    words = ["psd", "builtin:reference_truck", "--road", "iso:class=C:speed=70", "--duration", "120",
+             "--sensors", "cab_*_left_z,*_axle_left_z", "--rms"]
+
+    def rms(*more):
+        return {row["channel"]: row["rms"] for row in parsed(*words, *more)["rms"]}
+    run, rest, road = rms(), rms("--linear"), rms("--linearise")
+    assert run.keys() == rest.keys() == road.keys()
+    for name in run:
+        assert road[name] == pytest.approx(run[name], rel=0.12)
+        assert abs(road[name] - run[name]) < abs(rest[name] - run[name])
+
+
 def test_psd_with_and_without_a_run(tr, half):
     words = ["psd", HALF, "--road", "sweep:from=0.8:to=15", "--duration", "60"]
     run = {row["channel"]: row["rms"] for row in parsed(*words, "--rms")["rms"]}
