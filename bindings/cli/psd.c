@@ -18,8 +18,8 @@ static const argument own[] = {
      "this duration would give",
      0},
     {"linearise", 0, ARGUMENT_SWITCH, AT(linearise), NULL,
-     "as --linear, but dampers, friction and other laws linearised for the motion on\n"
-     "this road, not at rest",
+     "as --linear, but dampers, friction and other laws linearised for the\n"
+     "motion on this road, not at rest",
      0},
     {"segment", 0, ARGUMENT_WHOLE, AT(segment), "N",
      "samples of a segment; default 4096, or all if there are fewer", 0},
