@@ -180,7 +180,7 @@ def test_psd_linearised_on_the_road():
         return {row["channel"]: row["rms"] for row in parsed(*words, *more)["rms"]}
     run, rest, road = rms(), rms("--linear"), rms("--linearise")
     assert run.keys() == rest.keys() == road.keys()
-    assert all(road[name] == pytest.approx(run[name], rel=0.12) for name in run)
+    assert all(road[name] == pytest.approx(run[name], rel=0.15) for name in run)
     assert max(rest[name] / run[name] for name in run) > 1.25
 
 
