@@ -115,7 +115,7 @@ static void solve(trk_context *context, trk_calibration *calibration, const int3
 {
     trk_solve_options options;
     trk_solve_options_init(&options, sizeof options);
-    options.max_evaluations = 120;
+    options.max_evaluations = 120; /* further starts found nothing better */
     out->status = trk_calibration_solve(calibration, &options, NULL, NULL);
     snprintf(out->message, sizeof out->message, "%s",
              out->status == TRK_OK ? "" : trk_context_message(context));

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FLEXIBLE, STIFF, FRAMES, SHOWN = 3 };
+enum { FLEXIBLE, STIFF, FRAMES, SHOWN = 3, TEXT = 48 };
 static const char *const frame_names[FRAMES] = {"flexible", "rigid"};
 static const double stiffer = 1e3; /* factor on the beams that makes the frame as good as rigid */
 
@@ -32,16 +32,33 @@ static void print_modes(trk_context *context, const trk_model *model, FILE *out)
     trk_modes_destroy(modes);
 }
 
-static void write_row(trk_context *context, const trk_series *series, int place, const char *frame,
-                      FILE *table)
+/* "8.49 1.94", highest first. */
+static void list_peaks(trk_context *context, const trk_series *series, int place, char *text,
+                       size_t size)
 {
     double frequency[SHOWN], height[SHOWN];
     int32_t found =
         find_peaks(context, series, places[place].sensor, 0.5, 0.05, SHOWN, frequency, height);
-    print_both(table, "%s,%s,", places[place].sensor, frame);
+    size_t used = 0;
+    *text = '\0';
     for (int32_t k = 0; k < found; k++)
-        print_both(table, "%s%.2f", k ? " " : "", frequency[k]);
-    print_both(table, ",%s\n", places[place].measured);
+        used += (size_t)snprintf(text + used, size - used, "%s%.2f", k ? " " : "", frequency[k]);
+}
+
+static void write_peaks(char (*text)[PLACES][TEXT], const char *directory, FILE *findings)
+{
+    FILE *table = open_result(directory, "frame_peaks.csv");
+    fputs("channel,frame,peaks_hz,measured_hz\n", table);
+    print_both(findings, "   peaks [Hz], highest first: %-22s %-18s %-18s %s\n", "",
+               "flexible frame", "rigid frame", "measured");
+    for (int place = 0; place < PLACES; place++) {
+        for (int f = 0; f < FRAMES; f++)
+            fprintf(table, "%s,%s,%s,%s\n", places[place].sensor, frame_names[f], text[f][place],
+                    places[place].measured);
+        print_both(findings, "   %-49s %-18s %-18s %s\n", places[place].sensor,
+                   text[FLEXIBLE][place], text[STIFF][place], places[place].measured);
+    }
+    fclose(table);
 }
 
 static void write_frame_spectra(trk_context *context, trk_series *const *series,
@@ -73,9 +90,8 @@ static void write_frame_spectra(trk_context *context, trk_series *const *series,
 void compare_frames(trk_context *context, const char *path, const char *directory, FILE *findings)
 {
     trk_series *series[FRAMES];
-    FILE *table = open_result(directory, "frame_peaks.csv");
+    static char text[FRAMES][PLACES][TEXT];
     print_both(findings, "\nDoes the frame's flexibility? %s\n", path);
-    print_both(table, "channel,frame,peaks_hz,measured_hz\n");
     for (int f = 0; f < FRAMES; f++) {
         trk_spec *spec;
         check(context, trk_model_file_read(context, path, &spec));
@@ -87,11 +103,11 @@ void compare_frames(trk_context *context, const char *path, const char *director
             print_modes(context, model, findings);
         series[f] = run_sweep(context, model, sweep_amplitude);
         for (int place = 0; place < PLACES; place++)
-            write_row(context, series[f], place, frame_names[f], table);
+            list_peaks(context, series[f], place, text[f][place], TEXT);
         trk_model_destroy(model);
     }
+    write_peaks(text, directory, findings);
     write_frame_spectra(context, series, directory);
     for (int f = 0; f < FRAMES; f++)
         trk_series_destroy(series[f]);
-    fclose(table);
 }
