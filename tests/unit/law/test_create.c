@@ -317,6 +317,15 @@ static void trace_refuses(void **state)
     assert_message(*state, "e of point 3 is nan");
     assert_ok(*state, trk_law_trace(*state, law, 1, 1, e, force, NULL));
     assert_near(force[0], 0, 0);
+    assert_int_equal(trk_law_trace(NULL, law, 2, 1, e, force, NULL), TRK_E_ARGUMENT);
+    trk_law_destroy(law);
+    /* A force of 1e200 N over 1e110 m is finite; the work of it is not. */
+    const double far[] = {0, 1e110};
+    double lost[2];
+    o = (trk_friction_options){sizeof o, 1e200, 1e200};
+    assert_ok(*state, trk_law_create_friction(*state, "dry", &o, &law));
+    assert_status(*state, trk_law_trace(*state, law, 2, 1, far, force, lost), TRK_E_RANGE);
+    assert_message(*state, "the energy of the dry friction 'dry' overflows at point 2");
     trk_law_destroy(law);
 }
 

@@ -190,6 +190,14 @@ static void test_errors(void **state)
         trk_response_psd_excited(*state, model, NULL, NULL, road, 0, 1e-3, 63, &options, out, NULL),
         TRK_E_RANGE);
     trk_excitation_destroy(road);
+    /* 2^62 samples of four roads and two ports: their number leaves 64 bits. */
+    assert_ok(*state, trk_excitation_create(*state, truck, &road));
+    assert_status(*state,
+                  trk_response_psd_excited(*state, truck, NULL, NULL, road, 0, 1e-3,
+                                           INT64_MAX / 2 + 1, &options, out, NULL),
+                  TRK_E_MEMORY);
+    assert_message(*state, "samples of 6 inputs exceed the address space");
+    trk_excitation_destroy(road);
     trk_model_destroy(model);
     trk_model_destroy(truck);
 }
