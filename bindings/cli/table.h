@@ -36,9 +36,6 @@ size_t table_rows(const table *t);
 /* Write tables in one of the formats, which is not FORMAT_AUTO. */
 void tables_write(FILE *file, int32_t format, int count, table *const *tables, bool colour);
 
-/* A field of CSV, quoted where it must be. */
-void csv_text(FILE *file, const char *text);
-
 /* A string of JSON. */
 void json_text(FILE *file, const char *text);
 

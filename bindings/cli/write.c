@@ -22,7 +22,8 @@ void exact_number(FILE *file, double value, const char *nothing)
     fputs(text, file);
 }
 
-void csv_text(FILE *file, const char *text)
+/* A field of CSV, quoted where it must be. */
+static void csv_text(FILE *file, const char *text)
 {
     if (!strpbrk(text, ",\"\r\n")) {
         fputs(text, file);

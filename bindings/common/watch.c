@@ -23,11 +23,6 @@ void watch_signals(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
-bool watch_interrupted(void)
-{
-    return interrupted != 0;
-}
-
 static double now(void)
 {
     struct timespec t;

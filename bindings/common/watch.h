@@ -8,7 +8,6 @@
 
 /* From now on the first Ctrl-C (or SIGTERM) asks for the end of the work, the second ends it. */
 void watch_signals(void);
-bool watch_interrupted(void);
 
 /* A bar on standard error, if that is a terminal, for work of more than a second. */
 typedef struct progress {

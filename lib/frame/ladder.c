@@ -31,7 +31,8 @@ typedef struct ladder {
     int32_t nodes; /* of one rail */
 } ladder;
 
-double trk_frame_divide(const trk_frame_options *o, int32_t station)
+/* Elements of a rail between a station and the next. */
+static double divide(const trk_frame_options *o, int32_t station)
 {
     const double gap = fabs(o->station[station + 1] - o->station[station]);
     /* A gap of two elements is not three because it rounds up. */
@@ -42,7 +43,7 @@ double trk_frame_count(const trk_frame_options *o)
 {
     double count = 1;
     for (int32_t k = 0; k + 1 < o->stations; k++)
-        count += trk_frame_divide(o, k);
+        count += divide(o, k);
     return 2 * count;
 }
 
@@ -91,7 +92,7 @@ static trk_status add_rail_nodes(ladder *l)
     const trk_frame_options *o = l->o;
     trk_status status = add_pair(l, o->station[0]);
     for (int32_t k = 0; status == TRK_OK && k + 1 < o->stations; k++) {
-        const int32_t parts = (int32_t)trk_frame_divide(o, k);
+        const int32_t parts = (int32_t)divide(o, k);
         for (int32_t p = 1; status == TRK_OK && p < parts; p++)
             status = add_pair(l, o->station[k] + (o->station[k + 1] - o->station[k]) * p / parts);
         if (status == TRK_OK)
@@ -119,7 +120,7 @@ static int32_t left_node(const ladder *l, int32_t station)
 {
     int32_t node = l->first;
     for (int32_t k = 0; k < station; k++)
-        node += 2 * (int32_t)trk_frame_divide(l->o, k);
+        node += 2 * (int32_t)divide(l->o, k);
     return node;
 }
 

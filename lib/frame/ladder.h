@@ -14,8 +14,7 @@ trk_status trk_frame_check(trk_context *context, const char *name, const trk_fra
 /* 0-based station at x, -1: none. */
 int32_t trk_frame_station(const trk_frame_options *o, double x);
 
-/* Elements of a rail between a station and the next; nodes of both rails, infinite if too many. */
-double trk_frame_divide(const trk_frame_options *o, int32_t station);
+/* Nodes of both rails, infinite if too many. */
 double trk_frame_count(const trk_frame_options *o);
 
 #endif

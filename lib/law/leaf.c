@@ -18,7 +18,8 @@ static double approach(double r, double target, double slope, double beta, doubl
     return r - slope * x + (r - target - slope * beta) * expm1(-x / beta);
 }
 
-double trk_leaf_move(const trk_leaf *leaf, double r, double from, double to)
+/* r after the monotone path from -> to (LAW.12b). */
+static double move(const trk_leaf *leaf, double r, double from, double to)
 {
     const trk_leaf_options *o = &leaf->options;
     double sign = to < from ? -1 : 1, end = leaf->end;
@@ -59,7 +60,7 @@ static void evaluate(const trk_law *law, const double *z, double e, double v, do
                      trk_law_point *out, double *z_next)
 {
     const trk_leaf *leaf = (const trk_leaf *)law;
-    double from = z[TRK_LEAF_PLACE], r = trk_leaf_move(leaf, z[TRK_LEAF_FORCE], from, e);
+    double from = z[TRK_LEAF_PLACE], r = move(leaf, z[TRK_LEAF_FORCE], from, e);
     (void)v, (void)h;
     *out = (trk_law_point){.force = r, .stiffness = slope(leaf, r, e, from)};
     z_next[TRK_LEAF_FORCE] = r;

@@ -21,9 +21,6 @@ static inline double trk_leaf_width(const trk_leaf *leaf, double e)
     return e < leaf->end ? leaf->options.friction - leaf->options.friction_slope * e : leaf->floor;
 }
 
-/* r after the monotone path from -> to (LAW.12b). */
-double trk_leaf_move(const trk_leaf *leaf, double r, double from, double to);
-
 /* Energy that the friction gives back (LAW.12d) and its loss (LAW.12e). */
 double trk_leaf_stored(const trk_law *law, const double *z, double e);
 double trk_leaf_lost(const trk_law *law, const double *z, double e, double v);

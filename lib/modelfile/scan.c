@@ -14,7 +14,8 @@ trk_place trk_scan_place(const trk_scan *scan)
     return (trk_place){scan->line, (int32_t)(scan->at - scan->line_begin) + 1};
 }
 
-void trk_scan_go(trk_scan *scan, const char *to)
+/* Go to a place further on. */
+static void go(trk_scan *scan, const char *to)
 {
     for (; scan->at < to; scan->at++)
         if (*scan->at == '\n') {
@@ -28,7 +29,7 @@ void trk_scan_blanks(trk_scan *scan)
     const char *to = scan->at;
     while (to < scan->end && strchr(" \t\r\n,:", *to) && *to)
         to++;
-    trk_scan_go(scan, to);
+    go(scan, to);
 }
 
 static bool in_word(char c)
@@ -53,7 +54,7 @@ void trk_scan_token(trk_scan *scan)
     } else {
         to++;
     }
-    trk_scan_go(scan, to);
+    go(scan, to);
 }
 
 const char *trk_scan_admit(const char *text, size_t length, int64_t *out_values,
@@ -69,7 +70,7 @@ const char *trk_scan_admit(const char *text, size_t length, int64_t *out_values,
         return "the text begins with a byte order mark; save it as UTF-8 without one";
     const char *zero = memchr(text, 0, length);
     if (zero) {
-        trk_scan_go(&scan, zero);
+        go(&scan, zero);
         *out_place = trk_scan_place(&scan);
         return "there is a zero byte; JSON is text in UTF-8";
     }
@@ -88,7 +89,7 @@ trk_place trk_scan_blame(const char *text, size_t length, size_t position, bool 
     trk_scan scan = trk_scan_begin(text, length), token = scan;
     const char *to = text + (position < length ? position : length);
     if (inside) {
-        trk_scan_go(&scan, to);
+        go(&scan, to);
         return trk_scan_place(&scan);
     }
     for (trk_scan_blanks(&scan); scan.at < to; trk_scan_blanks(&scan)) {

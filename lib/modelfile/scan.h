@@ -14,9 +14,6 @@ typedef struct trk_scan {
 trk_scan trk_scan_begin(const char *text, size_t length);
 trk_place trk_scan_place(const trk_scan *scan);
 
-/* Go to a place further on. */
-void trk_scan_go(trk_scan *scan, const char *to);
-
 /* Behind blanks, commas and colons. */
 void trk_scan_blanks(trk_scan *scan);
 

@@ -133,9 +133,6 @@ double trk_newmark_largest_force(const trk_newmark *stepper, const trk_state *st
 /* r := r - B^T (k e + c e') at a state. */
 void trk_newmark_subtract_linear(const trk_newmark *stepper, const trk_state *state, double *r);
 
-/* y := y + factor M x */
-void trk_newmark_add_inertia(const trk_newmark *stepper, double factor, const double *x, double *y);
-
 /* Elongation and rate of one link at a state. */
 static inline double trk_newmark_elongation(const trk_newmark *stepper, const trk_state *state,
                                             int32_t link)

@@ -28,7 +28,8 @@ double trk_newmark_largest_force(const trk_newmark *stepper, const trk_state *st
     return largest;
 }
 
-void trk_newmark_add_inertia(const trk_newmark *stepper, double factor, const double *x, double *y)
+/* y := y + factor M x */
+static void add_inertia(const trk_newmark *stepper, double factor, const double *x, double *y)
 {
     const trk_model *model = stepper->model;
     for (int32_t r = 0; r < model->inertia.count; r++)
@@ -60,7 +61,7 @@ static trk_status solve_linear_part(trk_newmark *stepper)
         for (int32_t i = 0; i < n; i++)
             b[i] = (1 - o->alpha_f) * b[i] - o->alpha_f * stepper->now.rest[i];
     if (o->alpha_m != 0)
-        trk_newmark_add_inertia(stepper, -o->alpha_m, stepper->now.a, b);
+        add_inertia(stepper, -o->alpha_m, stepper->now.a, b);
     return trk_solver_solve(stepper->assembly.solver, b);
 }
 
@@ -108,9 +109,9 @@ static void update_rest(trk_newmark *stepper)
     int32_t n = stepper->model->n;
     for (int32_t i = 0; i < n; i++)
         next->rest[i] = -o->alpha_f * now->rest[i];
-    trk_newmark_add_inertia(stepper, -(1 - o->alpha_m), next->a, next->rest);
+    add_inertia(stepper, -(1 - o->alpha_m), next->a, next->rest);
     if (o->alpha_m != 0)
-        trk_newmark_add_inertia(stepper, -o->alpha_m, now->a, next->rest);
+        add_inertia(stepper, -o->alpha_m, now->a, next->rest);
     for (int32_t i = 0; i < n; i++)
         next->rest[i] /= 1 - o->alpha_f;
 }
